@@ -1,0 +1,363 @@
+#include "datasets/isosurface.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "datasets/error.h"
+#include "datasets/spline_prefilter.h"
+
+// The evaluators are compiled twice and chosen at run time. Both do the same operations in the same order (contraction
+// is off), so results agree to the bit. Sanitizers' runtimes are not up yet when the choice is made: one version there.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define ISOBENCH_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define ISOBENCH_CLONES
+#endif
+
+namespace isobench {
+
+namespace {
+
+// Vectors of four doubles are passed between functions that are always inlined: no calling convention is at stake.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+using Float4 = float __attribute__((vector_size(16)));
+using Double4 = double __attribute__((vector_size(32)));
+
+/// Four tap weights of a kernel and of its derivatives with respect to the lattice coordinate.
+struct Weights {
+  std::array<double, 4> w0;  ///< value
+  std::array<double, 4> w1;  ///< first derivative
+  std::array<double, 4> w2;  ///< second derivative
+};
+
+std::array<double, 4> bspline_value(double t) {
+  const double s = 1.0 - t;
+  return {s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
+          (-3.0 * t * t * t + 3.0 * t * t + 3.0 * t + 1.0) / 6.0, t * t * t / 6.0};
+}
+
+std::array<double, 4> bspline_first(double t) {
+  const double s = 1.0 - t;
+  return {-s * s / 2.0, (3.0 * t * t - 4.0 * t) / 2.0, (-3.0 * t * t + 2.0 * t + 1.0) / 2.0, t * t / 2.0};
+}
+
+std::array<double, 4> bspline_second(double t) { return {1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t}; }
+
+std::array<double, 4> catmull_rom_value(double t) {
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  return {(-t3 + 2.0 * t2 - t) / 2.0, (3.0 * t3 - 5.0 * t2 + 2.0) / 2.0, (-3.0 * t3 + 4.0 * t2 + t) / 2.0,
+          (t3 - t2) / 2.0};
+}
+
+__attribute__((always_inline)) inline Double4 load(const float* p) {
+  Float4 v;
+  std::memcpy(&v, p, sizeof v);
+  return __builtin_convertvector(v, Double4);
+}
+
+__attribute__((always_inline)) inline double dot(const Double4& v, const std::array<double, 4>& w) {
+  return (v[0] * w[0] + v[1] * w[1]) + (v[2] * w[2] + v[3] * w[3]);
+}
+
+/// Sums four lane vectors under four weights.
+__attribute__((always_inline)) inline Double4 combine(const Double4* v, const std::array<double, 4>& w) {
+  return (v[0] * w[0] + v[1] * w[1]) + (v[2] * w[2] + v[3] * w[3]);
+}
+
+/// The lanes run along x, whose samples are neighbours in memory; z and y are summed first, x last.
+ISOBENCH_CLONES void sum_value(const float* corner, std::ptrdiff_t row, std::ptrdiff_t slab,
+                               const std::array<double, 4>& x, const std::array<double, 4>& y,
+                               const std::array<double, 4>& z, double* result) {
+  Double4 along_y[4];
+  for (int j = 0; j < 4; ++j) {
+    const float* p = corner + j * row;
+    const Double4 taps[4] = {load(p), load(p + slab), load(p + 2 * slab), load(p + 3 * slab)};
+    along_y[j] = combine(taps, z);
+  }
+  *result = dot(combine(along_y, y), x);
+}
+
+/// result: value, ∂x, ∂y, ∂z in lattice units.
+ISOBENCH_CLONES void sum_gradient(const float* corner, std::ptrdiff_t row, std::ptrdiff_t slab, const Weights& x,
+                                  const Weights& y, const Weights& z, double* result) {
+  Double4 z0[4];
+  Double4 z1[4];
+  for (int j = 0; j < 4; ++j) {
+    const float* p = corner + j * row;
+    const Double4 taps[4] = {load(p), load(p + slab), load(p + 2 * slab), load(p + 3 * slab)};
+    z0[j] = combine(taps, z.w0);
+    z1[j] = combine(taps, z.w1);
+  }
+  const Double4 value = combine(z0, y.w0);
+  result[0] = dot(value, x.w0);
+  result[1] = dot(value, x.w1);
+  result[2] = dot(combine(z0, y.w1), x.w0);
+  result[3] = dot(combine(z1, y.w0), x.w0);
+}
+
+/// result: value, ∂x, ∂y, ∂z, ∂xx, ∂yy, ∂zz, ∂xy, ∂xz, ∂yz in lattice units.
+ISOBENCH_CLONES void sum_jet(const float* corner, std::ptrdiff_t row, std::ptrdiff_t slab, const Weights& x,
+                             const Weights& y, const Weights& z, double* result) {
+  Double4 z0[4];
+  Double4 z1[4];
+  Double4 z2[4];
+  for (int j = 0; j < 4; ++j) {
+    const float* p = corner + j * row;
+    const Double4 taps[4] = {load(p), load(p + slab), load(p + 2 * slab), load(p + 3 * slab)};
+    z0[j] = combine(taps, z.w0);
+    z1[j] = combine(taps, z.w1);
+    z2[j] = combine(taps, z.w2);
+  }
+  const Double4 y0z0 = combine(z0, y.w0);
+  const Double4 y1z0 = combine(z0, y.w1);
+  const Double4 y0z1 = combine(z1, y.w0);
+  result[0] = dot(y0z0, x.w0);
+  result[1] = dot(y0z0, x.w1);
+  result[2] = dot(y1z0, x.w0);
+  result[3] = dot(y0z1, x.w0);
+  result[4] = dot(y0z0, x.w2);
+  result[5] = dot(combine(z0, y.w2), x.w0);
+  result[6] = dot(combine(z2, y.w0), x.w0);
+  result[7] = dot(y1z0, x.w1);
+  result[8] = dot(y0z1, x.w1);
+  result[9] = dot(combine(z1, y.w1), x.w0);
+}
+
+/// The cell and the offset within it of a lattice coordinate, clamped to [0, size − 1].
+struct Cell {
+  int index;
+  double t;
+};
+
+Cell locate(double u, int size) {
+  const double clamped = std::clamp(u, 0.0, static_cast<double>(size - 1));
+  const int index = std::min(static_cast<int>(clamped), size - 2);
+  return {index, clamped - index};
+}
+
+}  // namespace
+
+std::string to_string(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::bspline:
+      return "bspline";
+    case Kernel::interpolating_bspline:
+      return "interpolating-bspline";
+    case Kernel::catmull_rom:
+      break;
+  }
+  return "catmull-rom";
+}
+
+std::string to_string(Inside inside) { return inside == Inside::above ? "above" : "below"; }
+
+Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel kernel)
+    : lattice_(std::move(volume.lattice)),
+      isovalue_(isovalue),
+      inside_(inside),
+      kernel_(kernel),
+      voxel_(lattice_.voxel()),
+      inverse_spacing_(lattice_.spacing.cwiseInverse()) {
+  const std::array<int, 3>& size = lattice_.size;
+  if (size[0] < 4 || size[1] < 4 || size[2] < 4) {
+    throw DataError(fmt::format("the volume has {}×{}×{} nodes; a spline surface needs at least 4 along each axis",
+                                size[0], size[1], size[2]));
+  }
+  const Range range = sample_range(volume);
+  if (!(isovalue > range.min && isovalue < range.max)) {
+    throw DataError(fmt::format("isovalue {} is outside the range of the samples, {} to {}; choose one between them",
+                                isovalue, range.min, range.max));
+  }
+  for (int axis = 0; axis < 3; ++axis) extent_[axis] = lattice_.spacing[axis] * (size[axis] - 1);
+  if (kernel == Kernel::interpolating_bspline) {
+    volume.lattice = lattice_;
+    interpolating_coefficients(volume);
+  }
+
+  stride_ = {1, size[0] + 2, static_cast<std::ptrdiff_t>(size[0] + 2) * (size[1] + 2)};
+  coefficients_.resize(static_cast<std::size_t>(stride_[2]) * static_cast<std::size_t>(size[2] + 2));
+  const double sign = inside == Inside::above ? 1.0 : -1.0;
+  for (int k = -1; k <= size[2]; ++k) {
+    for (int j = -1; j <= size[1]; ++j) {
+      const float* from =
+          &volume.samples[lattice_.index(0, std::clamp(j, 0, size[1] - 1), std::clamp(k, 0, size[2] - 1))];
+      float* to = &coefficients_[static_cast<std::size_t>((j + 1) * stride_[1] + (k + 1) * stride_[2])];
+      for (int i = 0; i < size[0]; ++i) to[i + 1] = static_cast<float>(sign * (from[i] - isovalue));
+      to[0] = to[1];
+      to[size[0] + 1] = to[size[0]];
+    }
+  }
+  volume.samples = {};
+  check_crossing();
+}
+
+void Isosurface::check_crossing() const {
+  // Somewhere outside and somewhere inside at the nodes means that some lattice edge crosses c.
+  std::vector<float> slab;
+  float low = std::numeric_limits<float>::infinity();
+  float high = -low;
+  for (int k = 0; k < lattice_.size[2]; ++k) {
+    node_values(k, slab);
+    const auto [least, most] = std::minmax_element(slab.begin(), slab.end());
+    low = std::min(low, *least);
+    high = std::max(high, *most);
+    if (low < 0.0F && high > 0.0F) return;
+  }
+  const double sign = inside_ == Inside::above ? 1.0 : -1.0;
+  const double first = isovalue_ + sign * low;
+  const double second = isovalue_ + sign * high;
+  throw DataError(fmt::format(
+      "no surface: the smooth function F reconstructed from the samples stays within {} to {} at the nodes and never "
+      "crosses isovalue {}; choose one between them",
+      std::min(first, second), std::max(first, second), isovalue_));
+}
+
+const float* Isosurface::corner(const Eigen::Vector3d& x, std::array<double, 3>& t) const {
+  std::ptrdiff_t offset = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Cell cell = locate(x[axis] * inverse_spacing_[axis], lattice_.size[static_cast<std::size_t>(axis)]);
+    // The padding of one layer makes index − 1 of the lattice index of the array.
+    offset += cell.index * stride_[static_cast<std::size_t>(axis)];
+    t[static_cast<std::size_t>(axis)] = cell.t;
+  }
+  return coefficients_.data() + offset;
+}
+
+double Isosurface::value(const Eigen::Vector3d& x) const {
+  std::array<double, 3> t{};
+  const float* p = corner(x, t);
+  const auto weights = kernel_ == Kernel::catmull_rom ? catmull_rom_value : bspline_value;
+  double result = 0.0;
+  sum_value(p, stride_[1], stride_[2], weights(t[0]), weights(t[1]), weights(t[2]), &result);
+  return result;
+}
+
+Jet Isosurface::value_gradient(const Eigen::Vector3d& x) const {
+  std::array<double, 3> t{};
+  const float* p = corner(x, t);
+  std::array<Weights, 3> w;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    w[axis].w0 = bspline_value(t[axis]);
+    w[axis].w1 = bspline_first(t[axis]);
+  }
+  std::array<double, 4> sums{};
+  sum_gradient(p, stride_[1], stride_[2], w[0], w[1], w[2], sums.data());
+  if (kernel_ == Kernel::catmull_rom) sums[0] = value(x);
+  Jet jet;
+  jet.value = sums[0];
+  jet.gradient = Eigen::Vector3d(sums[1], sums[2], sums[3]).cwiseProduct(inverse_spacing_);
+  return jet;
+}
+
+Jet Isosurface::jet(const Eigen::Vector3d& x) const {
+  std::array<double, 3> t{};
+  const float* p = corner(x, t);
+  std::array<Weights, 3> w;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    w[axis] = {bspline_value(t[axis]), bspline_first(t[axis]), bspline_second(t[axis])};
+  }
+  std::array<double, 10> sums{};
+  sum_jet(p, stride_[1], stride_[2], w[0], w[1], w[2], sums.data());
+  if (kernel_ == Kernel::catmull_rom) sums[0] = value(x);
+  const Eigen::Vector3d& s = inverse_spacing_;
+  Jet jet;
+  jet.value = sums[0];
+  jet.gradient = Eigen::Vector3d(sums[1], sums[2], sums[3]).cwiseProduct(s);
+  jet.hessian << sums[4] * s[0] * s[0], sums[7] * s[0] * s[1], sums[8] * s[0] * s[2],  //
+      sums[7] * s[0] * s[1], sums[5] * s[1] * s[1], sums[9] * s[1] * s[2],             //
+      sums[8] * s[0] * s[2], sums[9] * s[1] * s[2], sums[6] * s[2] * s[2];
+  return jet;
+}
+
+std::optional<Eigen::Vector3d> Isosurface::project(const Eigen::Vector3d& x, double tolerance, int max_steps) const {
+  Eigen::Vector3d foot = x;
+  for (int step = 0; step <= max_steps; ++step) {
+    const Jet at = value_gradient(foot);
+    const double slope = at.gradient.norm();
+    if (!(slope > 0.0)) return std::nullopt;
+    const double distance = at.value / slope;
+    if (std::abs(distance) < tolerance * voxel_) return foot;
+    const double limited = std::clamp(distance, -0.5 * voxel_, 0.5 * voxel_);
+    foot = (foot - at.gradient * (limited / slope)).cwiseMax(0.0).cwiseMin(extent_);
+  }
+  return std::nullopt;
+}
+
+void Isosurface::copy_coefficients(int k, std::vector<float>& slab) const {
+  const auto nx = static_cast<std::size_t>(lattice_.size[0]);
+  const auto ny = static_cast<std::size_t>(lattice_.size[1]);
+  slab.resize(nx * ny);
+  for (std::size_t j = 0; j < ny; ++j) {
+    const float* row =
+        coefficients_.data() + 1 + static_cast<std::ptrdiff_t>(j + 1) * stride_[1] + (k + 1) * stride_[2];
+    std::copy_n(row, nx, &slab[j * nx]);
+  }
+}
+
+void Isosurface::sample_values(int k, std::vector<float>& slab) const {
+  // An interpolating spline has the samples at its nodes.
+  if (kernel_ == Kernel::interpolating_bspline)
+    node_values(k, slab);
+  else
+    copy_coefficients(k, slab);
+}
+
+void Isosurface::node_values(int k, std::vector<float>& slab) const {
+  if (kernel_ == Kernel::catmull_rom) {
+    copy_coefficients(k, slab);
+    return;
+  }
+  const auto nx = static_cast<std::size_t>(lattice_.size[0]);
+  const auto ny = static_cast<std::size_t>(lattice_.size[1]);
+  slab.resize(nx * ny);
+  // At a node the B-spline's taps are (1, 4, 1)/6 along each axis.
+  std::vector<double> column(nx + 2);
+  for (std::size_t j = 0; j < ny; ++j) {
+    const float* p = coefficients_.data() + static_cast<std::ptrdiff_t>(j) * stride_[1] + k * stride_[2];
+    const std::ptrdiff_t dy = stride_[1];
+    const std::ptrdiff_t dz = stride_[2];
+    for (std::size_t i = 0; i < nx + 2; ++i, ++p) {
+      const double below = (p[0] + 4.0 * p[dy]) + p[2 * dy];
+      const double here = (p[dz] + 4.0 * p[dz + dy]) + p[dz + 2 * dy];
+      const double above = (p[2 * dz] + 4.0 * p[2 * dz + dy]) + p[2 * dz + 2 * dy];
+      column[i] = (below + 4.0 * here) + above;
+    }
+    float* out = &slab[j * nx];
+    for (std::size_t i = 0; i < nx; ++i) {
+      out[i] = static_cast<float>(((column[i] + 4.0 * column[i + 1]) + column[i + 2]) / 216.0);
+    }
+  }
+}
+
+float Isosurface::coefficient(int i, int j, int k) const {
+  const std::array<int, 3> node{i, j, k};
+  std::ptrdiff_t offset = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    offset += (std::clamp(node[axis], 0, lattice_.size[axis] - 1) + 1) * stride_[axis];
+  }
+  return coefficients_[static_cast<std::size_t>(offset)];
+}
+
+double Curvatures::max_abs() const { return std::max(std::abs(k1), std::abs(k2)); }
+
+Curvatures curvatures(const Jet& jet) {
+  const double slope = jet.gradient.norm();
+  if (!(slope > 0.0)) return {};
+  const Eigen::Vector3d n = outward_normal(jet.gradient);
+  const Eigen::Matrix3d p = Eigen::Matrix3d::Identity() - n * n.transpose();
+  // f falls outwards, so −P H P/|∇f| bends like the surface: positive where the object is convex.
+  const Eigen::Matrix3d g = p * jet.hessian * p / -slope;
+  const double trace = g.trace();
+  const double root = std::sqrt(std::max(0.0, 2.0 * g.squaredNorm() - trace * trace));
+  return {0.5 * (trace + root), 0.5 * (trace - root)};
+}
+
+}  // namespace isobench

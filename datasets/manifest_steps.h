@@ -1,0 +1,21 @@
+// The preparation chain of a manifest: prepare = [ { step = "pad", voxels = 4 }, … ].
+#pragma once
+
+#include <vector>
+
+#include "datasets/isosurface.h"
+#include "datasets/prepare.h"
+#include "datasets/toml.h"
+
+namespace isobench {
+
+/// Throws UsageError, with the place, for an unknown step or key and for a value that makes no sense.
+std::vector<PrepareStep> parse_steps(const TomlValue& list, Inside inside);
+
+/// A number for all axes, or three; each must be > 0.
+Eigen::Vector3d parse_triple(const TomlValue& value);
+
+/// An integer of at least `least` that fits an int.
+int parse_count(const TomlValue& value, int least);
+
+}  // namespace isobench

@@ -1,0 +1,98 @@
+#include "datasets/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/error.h"
+#include "datasets/test_files.h"
+
+namespace isobench {
+namespace {
+
+const std::string head = "title = \"T\"\nisovalue = 2.5\n";
+const std::string data = "[data]\nfiles = [ { name = \"v.nrrd\" } ]\n";
+
+Manifest parse(const std::string& text) {
+  const TestFolder folder;
+  const auto path = folder.write("own.toml", text);
+  return read_manifest(path, path.string());
+}
+
+/// The message has the place (file:line:) and `part`.
+void expect_usage_error(const std::string& text, int line, const std::string& part) {
+  try {
+    parse(text);
+    ADD_FAILURE() << "no error for:\n" << text;
+  } catch (const UsageError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("own.toml:" + std::to_string(line) + ":"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+}
+
+TEST(Manifest, SaysFilesStepsAndSurface) {
+  const Manifest manifest = parse(
+      "title = \"T\"\nlicence = \"L\"\nisovalue = -3\ninside = \"below\"\nkernel = \"catmull-rom\"\n"
+      "prepare = [ { step = \"gaussian\", sigma = [1, 2.5, 3] }, { step = \"close-border\", value = 9.5, layers = 3 } "
+      "]\n"
+      "[data]\nfolder = \"f\"\nraw = { size = [4, 5, 6], spacing = 2, type = \"i16\", byte_order = \"big\" }\n"
+      "files = [ { name = \"a\" }, { name = \"b\" } ]\n");
+  EXPECT_EQ(manifest.name, "own");
+  EXPECT_EQ(manifest.isovalue, -3.0);
+  EXPECT_EQ(manifest.inside, Inside::below);
+  EXPECT_EQ(manifest.kernel, Kernel::catmull_rom);
+  ASSERT_EQ(manifest.steps.size(), 2U);
+  EXPECT_EQ(std::get<Gaussian>(manifest.steps[0]).sigma, Eigen::Vector3d(1.0, 2.5, 3.0));
+  const auto& border = std::get<CloseBorder>(manifest.steps[1]);
+  EXPECT_EQ(border.value, 9.5);
+  EXPECT_EQ(border.layers, 3);
+  EXPECT_FALSE(border.use_minimum);
+  EXPECT_TRUE(border.object_below);  // as the object is
+  ASSERT_TRUE(manifest.raw);
+  EXPECT_EQ(manifest.raw->size, (std::array<int, 3>{4, 5, 6}));
+  EXPECT_EQ(manifest.raw->spacing, Eigen::Vector3d::Constant(2.0));
+  EXPECT_EQ(manifest.raw->order, ByteOrder::big);
+  EXPECT_EQ(manifest.files[1].name, "b");
+}
+
+TEST(Manifest, ErrorsNameTheLineAndTheNearestName) {
+  expect_usage_error(head + "isovalu = 3\n" + data, 3, "isovalue");
+  expect_usage_error(head + "prepare = [ { step = \"gausian\", sigma = 1 } ]\n" + data, 3, "gaussian");
+  expect_usage_error(head + "prepare = [ { step = \"gaussian\", sigmas = 1 } ]\n" + data, 3, "sigma");
+  expect_usage_error(head + "prepare = [ { step = \"gaussian\", sigma = 0 } ]\n" + data, 3, "> 0");
+  expect_usage_error(head + "prepare = [ { step = \"gaussian\", sigma = [1, 2] } ]\n" + data, 3, "three");
+  expect_usage_error(head + "prepare = [ { step = \"pad\", voxels = -1 } ]\n" + data, 3, "at least 0");
+  expect_usage_error(head + "prepare = [ { step = \"close-border\" } ]\n" + data, 3, "minimum");
+  expect_usage_error(head + "prepare = [ { step = \"close-border\", to = \"maximum\" } ]\n" + data, 3, "minimum");
+  expect_usage_error(head + "inside = \"abov\"\n" + data, 3, "above");
+  expect_usage_error(head + "kernel = \"b-spline\"\n" + data, 3, "bspline");
+  expect_usage_error(head + "[phantom]\nname = \"spere\"\nnodes = 64\n", 2, "isovalue");
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"spere\"\nnodes = 64\n", 3, "sphere");
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 3\n", 4, "at least");
+  expect_usage_error("title = \"T\"\n" + data, 1, "isovalue");
+  expect_usage_error(head, 1, "[data]");
+}
+
+TEST(Manifest, RefusesFilesThatCouldDoHarm) {
+  expect_usage_error(head + "[data]\nfiles = [ { name = \"../v.nrrd\" } ]\n", 4, "..");
+  expect_usage_error(head + "[data]\nfiles = [ { name = \"/etc/v.nrrd\" } ]\n", 4, "relative");
+  expect_usage_error(head + "[data]\naddress = \"https://example.org/\"\nfiles = [ { name = \"v.nrrd\" } ]\n", 5,
+                     "sha256");
+  expect_usage_error(head + "[data]\nfiles = [ { name = \"v.nrrd\", sha256 = \"12\" } ]\n", 4, "64");
+  expect_usage_error(head + "[data]\nfiles = []\n", 3, "at least one");
+}
+
+TEST(ManifestChecksum, CoversAllThatDecidesTheResultAndNothingElse) {
+  const std::string steps = "prepare = [ { step = \"gaussian\", sigma = 1.5 } ]\n";
+  const auto sum = [](const std::string& text) { return manifest_checksum(parse(text), {"s"}); };
+  const std::string reference = sum(head + steps + data);
+  EXPECT_EQ(sum("licence = \"other\"\nsource = \"x\"\n" + head + steps + data), reference);
+  EXPECT_NE(sum(head + data), reference);
+  EXPECT_NE(sum(head + "prepare = [ { step = \"gaussian\", sigma = 1.500001 } ]\n" + data), reference);
+  EXPECT_NE(sum("title = \"T\"\nisovalue = 2.500001\n" + steps + data), reference);
+  EXPECT_NE(sum(head + "inside = \"below\"\n" + steps + data), reference);
+  EXPECT_NE(sum(head + "kernel = \"catmull-rom\"\n" + steps + data), reference);
+  EXPECT_NE(manifest_checksum(parse(head + steps + data), {"t"}), reference);
+}
+
+}  // namespace
+}  // namespace isobench

@@ -1,0 +1,58 @@
+#include "datasets/monitor.h"
+
+#include <algorithm>
+#include <ctime>
+
+#include "datasets/error.h"
+
+namespace isobench {
+
+namespace {
+
+double process_cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+Monitor::Stage::Stage(Monitor& monitor, const std::string& name)
+    : monitor_(monitor),
+      name_(monitor.current_.empty() ? name : monitor.current_ + "/" + name),
+      outer_(monitor.current_),
+      wall_start_(std::chrono::steady_clock::now()),
+      cpu_start_(process_cpu_seconds()) {
+  monitor_.current_ = name_;
+  if (monitor_.sink_ != nullptr) monitor_.sink_->show(name_, -1.0);
+}
+
+Monitor::Stage::~Stage() {
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start_;
+  monitor_.book(name_, wall.count(), process_cpu_seconds() - cpu_start_);
+  monitor_.current_ = outer_;
+}
+
+void Monitor::progress(double fraction) {
+  check();
+  if (sink_ != nullptr) sink_->show(current_, std::clamp(fraction, 0.0, 1.0));
+}
+
+void Monitor::check() const {
+  if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
+}
+
+double Monitor::seconds(const std::string& name) const {
+  const auto found =
+      std::find_if(stages_.begin(), stages_.end(), [&](const StageTime& stage) { return stage.name == name; });
+  return found == stages_.end() ? 0.0 : found->wall_seconds;
+}
+
+void Monitor::book(const std::string& name, double wall, double cpu) {
+  auto found = std::find_if(stages_.begin(), stages_.end(), [&](const StageTime& stage) { return stage.name == name; });
+  if (found == stages_.end()) found = stages_.insert(stages_.end(), StageTime{name, 0.0, 0.0});
+  found->wall_seconds += wall;
+  found->cpu_seconds += cpu;
+}
+
+}  // namespace isobench

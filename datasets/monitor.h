@@ -1,0 +1,87 @@
+// What a long computation tells the outside while it runs: stages with their clocks, progress, counters and traces.
+// Libraries never print; whoever runs them gives them a Monitor, and may give the Monitor a ProgressSink.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isobench {
+
+/// Receives progress as it happens; implemented where output goes to a person.
+class ProgressSink {
+ public:
+  virtual ~ProgressSink() = default;
+  /// `fraction` is in [0, 1], or negative where the stage cannot tell how far it is.
+  virtual void show(const std::string& stage, double fraction) = 0;
+};
+
+struct StageTime {
+  std::string name;           ///< nested stages read "outer/inner"
+  double wall_seconds = 0.0;  ///< summed over all visits
+  double cpu_seconds = 0.0;   ///< of the whole process, all threads
+};
+
+class Monitor {
+ public:
+  Monitor() = default;
+  explicit Monitor(ProgressSink* sink) : sink_(sink) {}
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+  /// Ends its stage when it goes out of scope. Stages nest; open and close them on one thread.
+  class Stage {
+   public:
+    Stage(Monitor& monitor, const std::string& name);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+   private:
+    Monitor& monitor_;
+    std::string name_;
+    std::string outer_;
+    std::chrono::steady_clock::time_point wall_start_;
+    double cpu_start_;
+  };
+
+  [[nodiscard]] Stage stage(const std::string& name) { return {*this, name}; }
+
+  /// Says how far the current stage is (0..1) and throws Cancelled if cancel() was called.
+  void progress(double fraction);
+  /// Throws Cancelled if cancel() was called; cheap.
+  void check() const;
+  /// May be called from a signal handler or another thread.
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+  /// A figure for the run's record, e.g. "particles/splits"; add() sums, set() replaces.
+  void set(const std::string& name, double value) { counters_[name] = value; }
+  void add(const std::string& name, double value) { counters_[name] += value; }
+  /// One more point of a curve for the run's record, e.g. "energy" once a sweep.
+  void trace(const std::string& name, double value) { traces_[name].push_back(value); }
+  /// A sentence for the run's log and record.
+  void note(const std::string& sentence) { notes_.push_back(sentence); }
+
+  const std::vector<StageTime>& stages() const { return stages_; }
+  const std::map<std::string, double>& counters() const { return counters_; }
+  const std::map<std::string, std::vector<double>>& traces() const { return traces_; }
+  const std::vector<std::string>& notes() const { return notes_; }
+  /// Wall seconds of one stage by its full name; 0 if it never ran.
+  double seconds(const std::string& name) const;
+
+ private:
+  void book(const std::string& name, double wall, double cpu);
+
+  ProgressSink* sink_ = nullptr;
+  std::atomic<bool> cancelled_{false};
+  std::string current_;
+  std::vector<StageTime> stages_;
+  std::map<std::string, double> counters_;
+  std::map<std::string, std::vector<double>> traces_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace isobench

@@ -1,0 +1,33 @@
+// SHA-256 (FIPS 180-4) by libcrypto, as 64 lower-case hexadecimal digits.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace isobench {
+
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void add(const void* bytes, std::size_t count);
+  void add(std::string_view text) { add(text.data(), text.size()); }
+  /// The digest of all that was added; nothing may be added after it.
+  std::string hex();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+std::string sha256_of_text(std::string_view text);
+/// Throws DataError, naming the file, if it cannot be read.
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace isobench

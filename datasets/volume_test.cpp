@@ -1,0 +1,96 @@
+#include "datasets/volume.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "datasets/error.h"
+
+namespace isobench {
+namespace {
+
+Lattice oblique() {
+  Lattice lattice;
+  lattice.size = {4, 3, 2};
+  lattice.spacing = {0.5, 1.0, 4.0};
+  lattice.origin = {10.0, -20.0, 30.0};
+  lattice.direction = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  return lattice;
+}
+
+TEST(Lattice, NumbersNodesWithXFastest) {
+  const Lattice lattice = oblique();
+  EXPECT_EQ(lattice.nodes(), 24U);
+  std::size_t n = 0;
+  for (int k = 0; k < 2; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(lattice.index(i, j, k), n++);
+    }
+  }
+}
+
+TEST(Lattice, CountsMoreNodesThanAnIntHolds) {
+  Lattice lattice;
+  lattice.size = {2048, 2048, 2048};
+  EXPECT_EQ(lattice.nodes(), std::size_t{1} << 33U);
+  EXPECT_EQ(lattice.index(2047, 2047, 2047), lattice.nodes() - 1);
+}
+
+TEST(Lattice, AVoxelIsTheGeometricMeanOfTheSpacing) { EXPECT_NEAR(oblique().voxel(), std::cbrt(2.0), 1e-15); }
+
+TEST(Lattice, ToLocalUndoesToWorld) {
+  const Lattice lattice = oblique();
+  const Eigen::Vector3d local(1.25, -2.0, 7.5);
+  EXPECT_TRUE(lattice.to_world(Eigen::Vector3d::Zero()).isApprox(lattice.origin));
+  EXPECT_TRUE(lattice.to_local(lattice.to_world(local)).isApprox(local, 1e-12));
+  // One step along i in the lattice is one step along the first column in the world.
+  const Eigen::Vector3d step = lattice.to_world({0.5, 0, 0}) - lattice.origin;
+  EXPECT_TRUE(step.isApprox(0.5 * lattice.direction.col(0)));
+}
+
+TEST(Lattice, KnowsItsHandedness) {
+  Lattice lattice = oblique();
+  EXPECT_TRUE(lattice.right_handed());
+  lattice.direction.col(1) *= -1.0;
+  EXPECT_FALSE(lattice.right_handed());
+}
+
+Volume ramp() {
+  Volume volume;
+  volume.lattice = oblique();
+  for (std::size_t n = 0; n < volume.lattice.nodes(); ++n) volume.samples.push_back(static_cast<float>(n) - 5.0F);
+  return volume;
+}
+
+TEST(Volume, AtIsTheSampleOfTheNode) {
+  Volume volume = ramp();
+  EXPECT_EQ(volume.at(1, 2, 1), -5.0F + 12.0F + 8.0F + 1.0F);
+  volume.at(1, 2, 1) = 99.0F;
+  EXPECT_EQ(volume.samples[21], 99.0F);
+}
+
+TEST(Volume, RangeIsOfAllSamples) {
+  const Range range = sample_range(ramp());
+  EXPECT_EQ(range.min, -5.0F);
+  EXPECT_EQ(range.max, 18.0F);
+}
+
+TEST(Volume, RangeNamesTheNodeThatIsNotFinite) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    Volume volume = ramp();
+    volume.at(3, 1, 1) = bad;
+    try {
+      sample_range(volume);
+      FAIL() << "no error for " << bad;
+    } catch (const DataError& error) {
+      EXPECT_NE(std::string(error.what()).find("(3, 1, 1)"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Volume, RangeOfNothingIsAnError) { EXPECT_THROW(sample_range(Volume{}), DataError); }
+
+}  // namespace
+}  // namespace isobench
