@@ -1,0 +1,19 @@
+// Mesh files by the path's ending: VTP (through VTK; coordinates in double, data arrays kept), PLY, OFF, OBJ (in
+// double, without data) and STL (binary, single precision).
+#pragma once
+
+#include <filesystem>
+
+#include "methods/triangle_mesh.h"
+
+namespace isobench {
+
+/// Throws UsageError for an unknown ending (naming the known ones), Error where the file cannot be written.
+void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
+
+/// Reads a triangle mesh; STL's coincident corners are merged. Throws UsageError for an unknown ending, DataError for a
+/// file that is missing, empty, truncated, foreign, has polygons other than triangles, indices out of range or
+/// coordinates that are not finite.
+TriangleMesh read_mesh(const std::filesystem::path& path);
+
+}  // namespace isobench

@@ -1,0 +1,90 @@
+// The stages of `particles` at a uniform spacing on a gyroid ball; items are particles. The Delaunay triangulation of
+// the same points is the yardstick: what the other stages may cost is best said as a multiple of it.
+
+#include <benchmark/benchmark.h>
+
+#include "datasets/phantoms.h"
+#include "methods/labelled_delaunay.h"
+#include "methods/marching-cubes/marching_cubes.h"
+#include "methods/particles/relaxation.h"
+#include "methods/particles/seeds.h"
+
+namespace isobench::particles {
+namespace {
+
+const Isosurface& surface() {
+  static const Isosurface made(sample_phantom(phantom("gyroid-ball"), 128), 0.0);
+  return made;
+}
+
+const TriangleMesh& lattice_mesh() {
+  static const TriangleMesh made = [] {
+    Monitor monitor;
+    return marching_cubes(surface(), monitor);
+  }();
+  return made;
+}
+
+const Spacing& spacing() {
+  static const SizingField field(surface().voxel());
+  static const Spacing made{field, 1.0};
+  return made;
+}
+
+std::vector<Eigen::Vector3d> seeds() {
+  Monitor monitor;
+  const auto count = static_cast<std::size_t>(ideal_count(lattice_mesh(), spacing()));
+  return eliminate_to_seeds(surface(), lattice_mesh(), spacing(), count, 4.0, 1, monitor);
+}
+
+const Particles& relaxed() {
+  static const Particles made = [] {
+    Monitor monitor;
+    Particles all = make_particles(surface(), spacing(), seeds());
+    relax(surface(), spacing(), all, 40, monitor);
+    return all;
+  }();
+  return made;
+}
+
+void per_particle(benchmark::State& state, std::int64_t times = 1) {
+  state.SetItemsProcessed(state.iterations() * times * static_cast<std::int64_t>(relaxed().size()));
+}
+
+void sample_elimination(benchmark::State& state) {
+  relaxed();  // made before the clock starts
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(seeds());
+  per_particle(state);
+}
+BENCHMARK(sample_elimination)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void neighbour_lists(benchmark::State& state) {
+  relaxed();  // made before the clock starts
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(acting_neighbours(relaxed(), 0.2));
+  per_particle(state);
+}
+BENCHMARK(neighbour_lists)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void ten_relaxation_sweeps(benchmark::State& state) {
+  Monitor monitor;
+  relaxed();
+  for ([[maybe_unused]] auto _ : state) {
+    Particles all = relaxed();
+    relax(surface(), spacing(), all, 10, monitor);
+    benchmark::DoNotOptimize(all);
+  }
+  per_particle(state, 10);
+}
+BENCHMARK(ten_relaxation_sweeps)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void delaunay_triangulation_labelled(benchmark::State& state) {
+  Monitor monitor;
+  relaxed();
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(labelled_delaunay(relaxed().points, surface(), monitor));
+  per_particle(state);
+}
+BENCHMARK(delaunay_triangulation_labelled)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace isobench::particles

@@ -1,0 +1,23 @@
+// Population control: more particles where there are too few for the sizing, fewer where there are too many.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "methods/particles/relaxation.h"
+
+namespace isobench::particles {
+
+struct PopulationChange {
+  std::size_t split = 0;
+  std::size_t deleted = 0;
+};
+
+/// Splits particles with less than `split_below` of the ideal energy and deletes those with more than `delete_above` of
+/// it. A new particle is placed in the largest angular gap around its parent at distance h, projected, and given up
+/// where it would stand nearer than 0.5 h to another; of neighbouring crowded particles only one is deleted at a time,
+/// so that no hole opens. Deterministic for any number of threads.
+PopulationChange control_population(const Isosurface& surface, const Spacing& spacing, Particles& particles,
+                                    double split_below, double delete_above);
+
+}  // namespace isobench::particles

@@ -1,0 +1,21 @@
+// Random numbers by index: the n-th number does not depend on who asks for it, hence not on threads.
+#pragma once
+
+#include <cstdint>
+
+namespace isobench::particles {
+
+/// SplitMix64 (Steele, Lea, Flood 2014).
+inline std::uint64_t hash(std::uint64_t x) {
+  x += 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31);
+}
+
+/// Uniform in [0, 1), determined by (seed, index, stream).
+inline double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t stream) {
+  return static_cast<double>(hash(hash(hash(seed) ^ index) ^ stream) >> 11) * 0x1p-53;
+}
+
+}  // namespace isobench::particles

@@ -1,0 +1,38 @@
+// Moving particles on the surface to lower energy.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "datasets/isosurface.h"
+#include "datasets/monitor.h"
+#include "methods/particles/neighbours.h"
+#include "methods/particles/seeds.h"
+
+namespace isobench::particles {
+
+/// Particles on F = c, one entry each (lattice frame, mm).
+struct Particles {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> normals;  ///< outward, unit
+  std::vector<double> spacing;           ///< h/g where the particle is
+
+  std::size_t size() const { return points.size(); }
+};
+
+/// Particles at points of the surface.
+Particles make_particles(const Isosurface& surface, const Spacing& spacing, std::vector<Eigen::Vector3d> points);
+
+/// `sweeps` sweeps in which every particle takes one damped Newton step with momentum (the positive part of the pair
+/// potential's Hessian, step ≤ 0.3 h) in its tangent plane and one Newton step back to F = c. All particles step from
+/// the same positions (Jacobi), so the result does not depend on the number of threads. At the end all are projected to
+/// 1e-6 voxel. Traces "energy", the mean a particle, once a sweep.
+void relax(const Isosurface& surface, const Spacing& spacing, Particles& particles, int sweeps, Monitor& monitor);
+
+/// Neighbours within the potential's reach, √3 h, and `extra` times as much again.
+NeighbourLists acting_neighbours(const Particles& particles, double extra = 0.0);
+
+/// The energy of each particle; those whose normals are opposed (another sheet) do not act on it.
+std::vector<double> energies(const Particles& particles, const NeighbourLists& neighbours);
+
+}  // namespace isobench::particles

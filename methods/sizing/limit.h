@@ -1,0 +1,23 @@
+// Limiting the gradient of the sizing field (Meyer, Kirby, Whitaker 2007, equations 2 and 3; Persson 2006).
+#pragma once
+
+#include <vector>
+
+#include "datasets/monitor.h"
+#include "methods/sizing/band.h"
+
+namespace isobench {
+
+/// The largest field h ≤ h0 on the band whose upwind gradient norm is at most δ: the fixed point of the paper's
+/// explicit iteration, found in one pass by fast marching from the smallest value up.
+///
+/// Equation 3 sums both sides of each axis, so a node's value is min(h0, U) with Σ max(0, (U − u)/s)² = δ² over *all*
+/// lower neighbours u, up to six; the usual scheme with the smaller neighbour of each axis has another fixed point.
+/// `h0` and the result hold one value a band node, mm. Cost: O(n log n), one thread, 50 bytes a
+/// node while it runs.
+std::vector<float> limit_gradient(const Band& band, const std::vector<float>& h0, double delta, Monitor& monitor);
+
+/// Equation 3 at one node: the upwind gradient norm, nodes outside the band left out.
+double upwind_gradient_norm(const Band& band, const std::vector<float>& h, std::size_t node);
+
+}  // namespace isobench

@@ -1,0 +1,89 @@
+#include "methods/sizing/limit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "datasets/phantoms.h"
+
+namespace isobench {
+namespace {
+
+/// A lattice field that no symmetry makes easy: two frequencies and a ridge, between 0.6 and 9 voxels.
+std::vector<float> bumpy_field(const Band& band) {
+  std::vector<float> h(band.size());
+  for (std::size_t n = 0; n < band.size(); ++n) {
+    const Eigen::Vector3d x = band.position(n);
+    const double value = 3.0 + 2.0 * std::sin(0.9 * x[0] + 0.3 * x[1]) + 1.4 * std::cos(0.7 * x[2] - 0.5 * x[1]) +
+                         2.0 * std::abs(std::sin(0.31 * (x[0] - x[2])));
+    h[n] = static_cast<float>(std::max(0.6, value));
+  }
+  return h;
+}
+
+/// Equations 2 and 3 as printed, iterated until the largest relative change of a step is below `stop`.
+std::vector<float> explicit_limiter(const Band& band, const std::vector<float>& h0, double delta, double stop) {
+  const double dt = band.spacing().minCoeff() / 6.0;
+  std::vector<float> h = h0;
+  for (int step = 0; step < 200000; ++step) {
+    double change = 0.0;
+    std::vector<float> next = h;
+    for (std::size_t n = 0; n < band.size(); ++n) {
+      const double fall = dt * std::min(0.0, delta - upwind_gradient_norm(band, h, n));
+      next[n] = static_cast<float>(h[n] + fall);
+      change = std::max(change, std::abs(fall) / h[n]);
+    }
+    h = std::move(next);
+    if (change < stop) break;
+  }
+  return h;
+}
+
+Isosurface small_surface(const std::string& name, const Eigen::Vector3d& stretch) {
+  Volume volume = sample_phantom(phantom(name), 24);
+  // Rescaled to about one voxel a unit, so that the field varies over a few nodes.
+  volume.lattice.spacing = stretch;
+  return Isosurface(std::move(volume), 0.0);
+}
+
+class Limiter : public testing::TestWithParam<double> {};
+
+// The explicit iteration in float stalls at rounding: 1e-4 is the agreement that it can show, relative to h.
+TEST_P(Limiter, HasTheFixedPointOfTheExplicitIteration) {
+  for (const Eigen::Vector3d& spacing : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.7, 1.0, 1.9)}) {
+    const Isosurface surface = small_surface("torus", spacing);
+    const Band band(surface, 2);
+    const std::vector<float> h0 = bumpy_field(band);
+    Monitor monitor;
+    const std::vector<float> fast = limit_gradient(band, h0, GetParam(), monitor);
+    const std::vector<float> slow = explicit_limiter(band, h0, GetParam(), 1e-7);
+    std::size_t limited = 0;
+    for (std::size_t n = 0; n < band.size(); ++n) {
+      ASSERT_NEAR(fast[n] / slow[n], 1.0, 1e-4) << "node " << n;
+      limited += fast[n] < h0[n] ? 1 : 0;
+    }
+    EXPECT_GT(limited, band.size() / 10);
+  }
+}
+
+TEST_P(Limiter, BoundsTheUpwindGradientAndNeverRaises) {
+  const Isosurface surface = small_surface("rounded-box", {1.0, 1.0, 1.0});
+  const Band band(surface, 2);
+  const std::vector<float> h0 = bumpy_field(band);
+  Monitor monitor;
+  const std::vector<float> h = limit_gradient(band, h0, GetParam(), monitor);
+  for (std::size_t n = 0; n < band.size(); ++n) {
+    EXPECT_LE(h[n], h0[n]);
+    EXPECT_LE(upwind_gradient_norm(band, h, n), GetParam() * (1.0 + 1e-3));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Deltas, Limiter, testing::Values(0.1, 0.3, 0.5), [](const auto& chosen) {
+  return "delta_0" + std::to_string(static_cast<int>(10 * chosen.param));
+});
+
+}  // namespace
+}  // namespace isobench

@@ -1,0 +1,162 @@
+#include "methods/sizing/sizing_field.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/error.h"
+#include "methods/marching-cubes/marching_cubes.h"
+#include "methods/sizing/limit.h"
+#include "methods/sizing/point_tree.h"
+#include "methods/sizing/shrinking_balls.h"
+
+namespace isobench {
+
+namespace {
+
+void require_positive(const std::optional<double>& value, const std::string& name) {
+  if (value && !(std::isfinite(*value) && *value > 0.0)) {
+    throw UsageError(fmt::format("{} is {}; it must be a finite number above 0", name, *value));
+  }
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// min(λ, 1/|κ_max|) where a band node's foot lies.
+class RadiusAt {
+ public:
+  RadiusAt(const Isosurface& surface, const SurfaceSamples& samples, const FeatureSize& feature_size)
+      : surface_(surface),
+        samples_(samples),
+        sample_tree_(samples.points),
+        feature_size_(feature_size),
+        least_slope_(0.01 * median(samples.slope)),
+        largest_curvature_(2.0 / surface.voxel()) {}
+
+  double operator()(const Eigen::Vector3d& node) const {
+    const auto foot = surface_.project(node);
+    // Newton may fail on a ridge far from the surface; the nearest sample is a foot point, too.
+    const Eigen::Vector3d x = foot ? *foot : samples_.points[sample_tree_.nearest(node).first];
+    const double lambda = feature_size_(x);
+    const Jet jet = surface_.jet(x);
+    // Where the gradient all but vanishes its direction, hence the curvature, means nothing.
+    if (jet.gradient.norm() < least_slope_) return lambda;
+    return std::min(lambda, 1.0 / std::min(curvatures(jet).max_abs(), largest_curvature_));
+  }
+
+ private:
+  const Isosurface& surface_;
+  const SurfaceSamples& samples_;
+  PointTree sample_tree_;
+  const FeatureSize& feature_size_;
+  double least_slope_;
+  double largest_curvature_;
+};
+
+std::vector<float> initial_field(const Isosurface& surface, const Band& band, const RadiusAt& radius,
+                                 const SizingRequest& request, Monitor& monitor) {
+  const double floor = request.floor * surface.voxel();
+  std::vector<float> h0(band.size());
+  constexpr std::size_t slice = 1 << 17;
+  for (std::size_t first = 0; first < h0.size(); first += slice) {
+    monitor.progress(static_cast<double>(first) / static_cast<double>(h0.size()));
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, std::min(h0.size(), first + slice), 256),
+                      [&](const auto& range) {
+                        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+                          const double length = 2.0 * *request.epsilon * radius(band.position(n));
+                          h0[n] = static_cast<float>(std::max(floor, length));
+                        }
+                      });
+  }
+  return h0;
+}
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.vertices[t[0]];
+    area += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+  }
+  return area;
+}
+
+}  // namespace
+
+void check(const SizingRequest& request) {
+  const bool adaptive = request.epsilon.has_value() || request.delta.has_value();
+  const int kinds = (adaptive ? 1 : 0) + (request.edge_length ? 1 : 0) + (request.vertices ? 1 : 0);
+  if (kinds != 1) {
+    throw UsageError(
+        fmt::format("the sizing asks for {}; give exactly one of: epsilon and delta, edge_length, vertices",
+                    kinds == 0 ? "nothing" : "more than one thing"));
+  }
+  if (adaptive && !(request.epsilon && request.delta)) {
+    throw UsageError(fmt::format("{} is given without {}; an adaptive sizing needs both",
+                                 request.epsilon ? "epsilon" : "delta", request.epsilon ? "delta" : "epsilon"));
+  }
+  require_positive(request.epsilon, "epsilon");
+  require_positive(request.delta, "delta");
+  require_positive(request.floor, "floor");
+  require_positive(request.edge_length, "edge_length");
+  require_positive(request.vertices, "vertices");
+}
+
+SizingField::SizingField(std::shared_ptr<const Band> band, std::vector<float> h0, std::vector<float> h, double floor)
+    : floor_(floor), band_(std::move(band)), h0_(std::move(h0)), h_(std::move(h)) {}
+
+double SizingField::h0(const Eigen::Vector3d& x) const {
+  return uniform() ? uniform_length_ : band_->interpolate(h0_, x).value_or(floor_);
+}
+
+double SizingField::h(const Eigen::Vector3d& x) const {
+  return uniform() ? uniform_length_ : band_->interpolate(h_, x).value_or(floor_);
+}
+
+double SizingField::smallest() const {
+  return uniform() ? uniform_length_ : static_cast<double>(*std::min_element(h_.begin(), h_.end()));
+}
+
+double SizingField::largest() const {
+  return uniform() ? uniform_length_ : static_cast<double>(*std::max_element(h_.begin(), h_.end()));
+}
+
+double edge_length_for(double area, double vertices) { return std::sqrt(2.0 * area / (std::sqrt(3.0) * vertices)); }
+
+SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor) {
+  check(request);
+  if (request.edge_length) return SizingField(*request.edge_length);
+  const TriangleMesh lattice_mesh = [&] {
+    const auto stage = monitor.stage("samples");
+    return marching_cubes(surface, monitor);
+  }();
+  if (request.vertices) return SizingField(edge_length_for(area_of(lattice_mesh), *request.vertices));
+
+  const SurfaceSamples samples = [&] {
+    const auto stage = monitor.stage("samples");
+    return surface_samples(surface, lattice_mesh.vertices);
+  }();
+  const FeatureSize feature_size = [&] {
+    const auto stage = monitor.stage("balls");
+    // No ball inside the object is larger than half the volume's shortest side.
+    return FeatureSize(shrinking_balls(samples, surface.voxel(), 0.5 * surface.extent().minCoeff(), monitor),
+                       surface.voxel());
+  }();
+  const auto band = std::make_shared<const Band>(surface, 2);
+  std::vector<float> h0 = [&] {
+    const auto stage = monitor.stage("band");
+    return initial_field(surface, *band, RadiusAt(surface, samples, feature_size), request, monitor);
+  }();
+  const auto stage = monitor.stage("limit");
+  std::vector<float> h = limit_gradient(*band, h0, *request.delta, monitor);
+  return {band, std::move(h0), std::move(h), request.floor * surface.voxel()};
+}
+
+}  // namespace isobench

@@ -1,0 +1,66 @@
+// How long edges may be: h0 from feature size and curvature, and its gradient-limited version h
+// (Meyer, Kirby, Whitaker 2007, section 3.2, equations 1–3).
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "datasets/isosurface.h"
+#include "datasets/monitor.h"
+#include "methods/sizing/band.h"
+
+namespace isobench {
+
+/// What is asked of the edge lengths: exactly one of (epsilon and delta), edge_length, vertices.
+struct SizingRequest {
+  std::optional<double> epsilon;      ///< > 0: h0 = max(floor, 2 ε min(λ, 1/|κ_max|))
+  std::optional<double> delta;        ///< > 0: |∇h| ≤ δ
+  double floor = 0.5;                 ///< voxels: h0 is not let fall below this
+  std::optional<double> edge_length;  ///< mm, uniform
+  std::optional<double> vertices;     ///< uniform, length solved for
+
+  bool uniform() const { return !epsilon.has_value(); }
+};
+
+/// Throws UsageError if not exactly one kind of sizing is given, or a number is not finite and positive.
+void check(const SizingRequest& request);
+
+/// The sizing of one surface, defined within two nodes of it; lengths in mm. Farther away, where a point can only
+/// belong to a mesh that missed the surface, it is the floor.
+class SizingField {
+ public:
+  /// Uniform.
+  explicit SizingField(double edge_length) : uniform_length_(edge_length) {}
+  /// On a band; h0 and h hold one value a band node.
+  SizingField(std::shared_ptr<const Band> band, std::vector<float> h0, std::vector<float> h, double floor);
+
+  bool uniform() const { return band_ == nullptr; }
+  /// Equation 1 with its floor, trilinear between nodes: *the* h0 of every table.
+  double h0(const Eigen::Vector3d& x) const;
+  /// h0 with its gradient limited to δ along the band, trilinear between nodes.
+  double h(const Eigen::Vector3d& x) const;
+
+  double floor_length() const { return floor_; }  ///< mm; 0 for a uniform field
+  double smallest() const;                        ///< mm, of h
+  double largest() const;                         ///< mm, of h
+  const Band* band() const { return band_.get(); }
+  const std::vector<float>& h0_nodes() const { return h0_; }
+  const std::vector<float>& h_nodes() const { return h_; }
+
+ private:
+  double uniform_length_ = 0.0;
+  double floor_ = 0.0;
+  std::shared_ptr<const Band> band_;
+  std::vector<float> h0_;
+  std::vector<float> h_;
+};
+
+/// Computes the field of a request, in stages "samples", "balls", "band", "limit" of the monitor's current stage.
+SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor);
+
+/// The mean edge length of a mesh with `vertices` nearly equilateral triangles' corners on `area` mm²: √(2A/(√3 N)).
+double edge_length_for(double area, double vertices);
+
+}  // namespace isobench
