@@ -1,0 +1,50 @@
+// Everything that is measured of one mesh, by one call.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/isosurface.h"
+#include "datasets/monitor.h"
+#include "methods/sizing/sizing_field.h"
+#include "methods/triangle_mesh.h"
+#include "metrics/angles.h"
+#include "metrics/distance.h"
+#include "metrics/edge_lengths.h"
+#include "metrics/radius_ratio.h"
+#include "metrics/reference_topology.h"
+#include "metrics/topology.h"
+#include "metrics/valence.h"
+
+namespace isobench {
+
+/// Raised when the meaning or the value of a figure changes: stored results of another revision are not reused.
+inline constexpr int metrics_revision = 1;
+
+struct Measurement {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  RadiusRatioFigures radius_ratio;
+  AngleFigures angles;
+  ValenceFigures valence;
+  EdgeLengthFigures edges;
+  TopologyFigures topology;
+  ReferenceTopology reference;
+  DistanceFigures distance;
+};
+
+/// Measures a mesh (lattice frame) against the surface and the sizing that it was asked for, and adds the arrays that a
+/// reader may want to see to it: "radius_ratio" a triangle; "valence", "h0" and "distance" a vertex.
+/// Throws DataError for a mesh without triangles, indices out of range or coordinates that are not finite.
+Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, int reference_k,
+                    Monitor& monitor);
+
+/// The definition of each metric in words, for tables and `isobench list metrics`.
+struct MetricDefinition {
+  std::string name;
+  std::string unit;
+  std::string definition;
+};
+const std::vector<MetricDefinition>& metric_definitions();
+
+}  // namespace isobench

@@ -1,0 +1,45 @@
+// χ and components of the four real volumes as counted once with NumPy from the same definition.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "datasets/catalogue.h"
+#include "metrics/reference_topology.h"
+
+namespace isobench {
+
+namespace {
+
+struct Counted {
+  const char* dataset;
+  std::array<long, 3> euler;  ///< at k = 1, 2, 3
+  std::array<std::size_t, 3> components;
+};
+
+class ReferenceTopologyVolumesSlow : public testing::TestWithParam<Counted> {};
+
+TEST_P(ReferenceTopologyVolumesSlow, AsCountedOnce) {
+  if (std::getenv("ISOBENCH_DATA") == nullptr) {
+    GTEST_SKIP() << "ISOBENCH_DATA does not name the folder of the real volumes";
+  }
+  const Counted& counted = GetParam();
+  Monitor monitor;
+  const Dataset dataset = load_dataset(counted.dataset, monitor);
+  for (std::size_t k = 1; k <= 3; ++k) {
+    const ReferenceTopology topology = reference_topology(*dataset.surface, static_cast<int>(k), monitor);
+    EXPECT_EQ(topology.euler, counted.euler[k - 1]) << "k = " << k;
+    EXPECT_EQ(topology.components, counted.components[k - 1]) << "k = " << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, ReferenceTopologyVolumesSlow,
+                         testing::Values(Counted{"brain", {-110, -88, -88}, {5, 4, 3}},
+                                         Counted{"pelvis", {-14, -14, -14}, {1, 1, 1}},
+                                         Counted{"skull", {-192, -186, -164}, {52, 48, 50}},
+                                         Counted{"vessel", {-58, -56, -58}, {3, 2, 2}}),
+                         [](const auto& instance) { return std::string(instance.param.dataset); });
+
+}  // namespace
+
+}  // namespace isobench

@@ -1,0 +1,49 @@
+// Which nodes of a lattice are inside, one bit a node.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "datasets/isosurface.h"
+#include "datasets/monitor.h"
+
+namespace isobench {
+
+/// Bits packed along x, each row padded with outside nodes to whole 64-bit words, with at least one bit of padding.
+class SignLattice {
+ public:
+  explicit SignLattice(std::array<int, 3> size)
+      : size_(size),
+        row_words_(static_cast<std::size_t>(size[0]) / 64 + 1),
+        words_(row_words_ * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]), 0) {}
+
+  const std::array<int, 3>& size() const { return size_; }
+  std::size_t row_words() const { return row_words_; }
+  std::uint64_t* row(int y, int z) { return words_.data() + offset(y, z); }
+  const std::uint64_t* row(int y, int z) const { return words_.data() + offset(y, z); }
+  bool inside(int x, int y, int z) const {
+    return (row(y, z)[static_cast<std::size_t>(x) / 64] >> (static_cast<unsigned>(x) % 64) & 1U) != 0;
+  }
+  void set_inside(int x, int y, int z) {
+    row(y, z)[static_cast<std::size_t>(x) / 64] |= std::uint64_t{1} << (static_cast<unsigned>(x) % 64);
+  }
+
+ private:
+  std::size_t offset(int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(y)) *
+           row_words_;
+  }
+  std::array<int, 3> size_;
+  std::size_t row_words_;
+  std::vector<std::uint64_t> words_;
+};
+
+/// The signs of the surface's own function at the nodes i/k (k ≥ 1) of its lattice, k(n − 1) + 1 along each axis, with
+/// the kernel that its values use; inside is f > 0. The outermost two layers of nodes count as outside.
+/// Separable: four multiply-adds a node, with all threads; memory is the bits and a few slabs a thread.
+SignLattice refined_signs(const Isosurface& surface, int k, Monitor& monitor);
+
+}  // namespace isobench

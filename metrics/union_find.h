@@ -1,0 +1,36 @@
+// Disjoint sets over 0..n−1; the smallest member represents its set, so the outcome does not depend on the order of
+// the unions.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace isobench {
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t find(std::uint32_t n) {
+    while (parent_[n] != n) {
+      parent_[n] = parent_[parent_[n]];
+      n = parent_[n];
+    }
+    return n;
+  }
+  /// Different threads may unite at once as long as their sets never meet.
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a < b) parent_[b] = a;
+    if (b < a) parent_[a] = b;
+  }
+  bool is_root(std::uint32_t n) const { return parent_[n] == n; }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace isobench
