@@ -1,0 +1,47 @@
+#include "reports/record.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace isobench {
+
+std::string to_string(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::failed:
+      return "failed";
+    case Status::timeout:
+      return "timeout";
+    case Status::skipped:
+      return "skipped";
+  }
+  return "failed";
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw DataError(path.string() + ": cannot be read");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path temporary = path.string() + ".tmp-" + std::to_string(getpid());
+  {
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw Error(path.string() + ": cannot be written; is the disk full or the folder read-only?");
+  }
+  std::filesystem::rename(temporary, path);
+}
+
+void write_record(const RunRecord& record, const std::filesystem::path& path) { write_text(path, to_json(record)); }
+
+RunRecord read_record(const std::filesystem::path& path) { return record_from_json(read_text(path), path.string()); }
+
+}  // namespace isobench

@@ -1,0 +1,94 @@
+#include "reports/results_csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "reports/figures.h"
+
+namespace isobench {
+
+namespace {
+
+// Shortest text that reads back to the same double.
+std::string text(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
+
+std::string csv_field(const std::string& field) {
+  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  std::string result = "\"";
+  for (const char c : field) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string parameters_text(const std::map<std::string, ParameterValue>& parameters) {
+  std::string result;
+  for (const auto& [name, value] : parameters) {
+    result += (result.empty() ? "" : ";") + name + "=" + to_string(value);
+  }
+  return result;
+}
+
+std::map<std::string, std::string> fields(const RunRecord& record) {
+  const RunRequest& request = record.request;
+  std::map<std::string, std::string> row = {{"run", request.run},
+                                            {"dataset", request.dataset},
+                                            {"method", request.method},
+                                            {"label", request.label},
+                                            {"parameters", parameters_text(request.parameters)},
+                                            {"epsilon", text(request.sizing.epsilon)},
+                                            {"delta", text(request.sizing.delta)},
+                                            {"edge_length", text(request.sizing.edge_length)},
+                                            {"match_scale", text(request.match_scale)},
+                                            {"seed", fmt::format("{}", request.seed)},
+                                            {"repeat", fmt::format("{}", request.repeat)},
+                                            {"mesh_checksum", record.mesh_checksum},
+                                            {"status", to_string(record.status)},
+                                            {"reason", record.reason},
+                                            {"reference_k", fmt::format("{}", request.reference_k)}};
+  if (record.measurement) {
+    visit_figures(*record.measurement, [&row](const char* name, const auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+        row[name] = text(value);
+      else
+        row[name] = fmt::format("{}", value);
+    });
+    row["seconds_prepare"] = text(record.seconds_prepare);
+    row["seconds_sizing"] = text(record.seconds_sizing);
+    row["seconds_method"] = text(record.seconds_method);
+    row["seconds_total"] = text(record.seconds_total);
+    row["peak_memory_mb"] = text(record.peak_memory_mb);
+  }
+  // A request for a number of vertices is uniform too; the length it came to is what is comparable.
+  if (request.sizing.vertices && record.sizing) row["edge_length"] = text(record.sizing->largest);
+  return row;
+}
+
+}  // namespace
+
+std::string results_csv(const std::vector<RunRecord>& records) {
+  std::string csv;
+  for (const CsvColumn& column : csv_columns()) {
+    if (!csv.empty()) csv += ",";
+    csv += column.name;
+  }
+  csv += "\n";
+  for (const RunRecord& record : records) {
+    std::map<std::string, std::string> row = fields(record);
+    std::string line;
+    bool first = true;
+    for (const CsvColumn& column : csv_columns()) {
+      if (!first) line += ",";
+      line += csv_field(row[column.name]);
+      first = false;
+    }
+    csv += line + "\n";
+  }
+  return csv;
+}
+
+}  // namespace isobench

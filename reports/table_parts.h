@@ -1,0 +1,43 @@
+// What the tables have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/arrangement.h"
+#include "reports/markdown.h"
+#include "reports/table.h"
+
+namespace isobench {
+
+/// "†" for a mesh that is not closed and manifold, else "".
+std::string dagger(const RunRecord& record);
+/// "†" where one of the meshes is not.
+std::string dagger(const Runs& runs);
+/// What stands in the place of figures: "not run", "timeout: not finished after 20 minutes"; empty where the run is ok.
+TableCell instead_of_figures(const RunRecord* record);
+
+/// One figure over runs of which at least one is finished, ready for a cell.
+TableCell over(const Runs& runs, const Figure& figure, const Print& print);
+/// "a / b" in one cell.
+TableCell beside(TableCell cell, const TableCell& next);
+
+/// The cell with what was published beside it; as it is where the first of the quantities was not.
+TableCell with_published(TableCell cell, const Results& results, const std::vector<std::string>& quantities,
+                         const std::string& dataset, const std::string& method);
+TableCell with_unit(TableCell cell, const std::string& unit);
+TableCell with_mark(TableCell cell, const std::string& mark);
+
+/// Lines for under a table: what each of these figures is, in the metrics' own words.
+std::string definitions(const std::vector<std::string>& figures);
+/// A sentence on where the published figures of a table come from; "" where there are none.
+std::string source_line(const Results& results, const std::string& table);
+
+/// Published methods that have figures in this table but no run of ours beside them.
+std::vector<const PublishedMethod*> published_alone(const Results& results, const Arrangement& runs,
+                                                    const std::string& table);
+
+/// "## title" and a blank line.
+std::string heading(const std::string& title);
+
+}  // namespace isobench

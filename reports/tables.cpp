@@ -1,0 +1,224 @@
+#include "reports/tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "reports/sizing_grid.h"
+#include "reports/table_parts.h"
+
+namespace isobench {
+
+namespace {
+
+struct Column {
+  std::string title;
+  Figure figure;
+  Print print;
+};
+
+// A table of one row a dataset and variant; several seeds or repeats give the median and the range.
+Table table_of_runs(const Arrangement& runs, const std::string& title, const std::vector<Column>& columns) {
+  Table table;
+  table.title = title;
+  table.header = {"Data", "Method"};
+  for (const Column& column : columns) table.header.push_back(column.title);
+  for (const std::string& dataset : runs.datasets) {
+    for (const Variant& variant : runs.variants) {
+      const Runs& group = find_runs(variant, dataset);
+      if (group.empty()) continue;
+      const RunRecord* record = find_run(variant, dataset);
+      const bool ok = record->status == Status::ok;
+      TableRow row = {dataset, variant.name + spread_label(group) + dagger(group)};
+      for (const Column& column : columns) {
+        row.push_back(ok ? over(group, column.figure, column.print) : TableCell("–"));
+      }
+      if (!ok) row[2] = instead_of_figures(record);
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+// A figure of the topology, all of which are whole numbers.
+template <class Whole>
+Column whole(const std::string& title, Whole&& figure) {
+  return {title, [figure](const RunRecord& r) { return static_cast<double>(figure(*r.measurement)); }, as_number()};
+}
+
+std::string provenance(const Results& results) {
+  std::set<std::string> codes;
+  std::set<std::string> machines;
+  for (const RunRecord& record : results.records) {
+    const Environment& here = record.environment;
+    codes.insert(fmt::format("isobench {} at {}{}, {} {}", here.version, here.commit.substr(0, 12),
+                             here.dirty ? " with changes" : "", here.compiler, here.build_type));
+    machines.insert(fmt::format("{}, {} cores, {} threads", here.cpu, here.cores, record.threads));
+  }
+  std::string text;
+  for (const std::string& code : codes) text += "- made by " + code + "\n";
+  for (const std::string& machine : machines) text += "- on " + machine + "\n";
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string gaps(const Results& results) {
+  std::string text;
+  for (const std::string& sentence : results.unreadable) text += "- " + sentence + "\n";
+  if (!results.missing.empty()) {
+    text += fmt::format("- {} of {} runs are not done yet:", results.missing.size(),
+                        results.missing.size() + results.records.size());
+    for (const RunRequest& request : results.missing) text += " " + request.run;
+    text += "\n";
+  }
+  return text.empty() ? "" : "**Not in these tables**\n\n" + text + "\n";
+}
+
+std::string footnotes(const Results& results) {
+  std::string text;
+  const auto any = [&results](auto&& test) {
+    return std::any_of(results.records.begin(), results.records.end(), test);
+  };
+  if (any([](const RunRecord& record) { return !dagger(record).empty(); })) {
+    text += "† not a closed manifold: see boundary edges, pinches and misoriented edges in the topology table.\n";
+  }
+  if (any([](const RunRecord& record) { return !record.deterministic; })) {
+    std::set<std::string> names;
+    for (const RunRecord& record : results.records) {
+      if (!record.deterministic) names.insert(record.request.label);
+    }
+    text += fmt::format("Not the same mesh at every run, by their own word: {}.\n", fmt::join(names, ", "));
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
+// What the runs of one seed came to.
+std::string sameness(const Runs& runs) {
+  const std::size_t meshes = different_meshes(runs);
+  if (meshes == 0) return "–";
+  return meshes == 1 ? "the same mesh" : fmt::format("{} different meshes", meshes);
+}
+
+// Methods that promise the same mesh for the same seed, and did not keep it.
+std::string broken_promises(const Results& results) {
+  const Arrangement runs = arrange(results);
+  std::string text;
+  for (const std::string& dataset : runs.datasets) {
+    for (const Variant& variant : runs.variants) {
+      const Runs& group = find_runs(variant, dataset);
+      const std::size_t meshes = different_meshes(group);
+      if (meshes < 2 || !group.front()->deterministic) continue;
+      text += fmt::format("- {} on {}: {} different meshes in repeats of one seed, though it promises one\n",
+                          variant.name, dataset, meshes);
+    }
+  }
+  return text.empty() ? "" : "**Not deterministic**\n\n" + text + "\n";
+}
+
+}  // namespace
+
+Table topology_table(const Arrangement& runs) {
+  using M = Measurement;
+  Table table = table_of_runs(
+      runs, "Topology",
+      {whole("components", [](const M& m) { return m.topology.components; }),
+       whole("reference", [](const M& m) { return m.reference.components; }),
+       whole("χ", [](const M& m) { return m.topology.euler; }),
+       whole("reference", [](const M& m) { return m.reference.euler; }),
+       whole("k", [](const M& m) { return m.reference.k; }),
+       whole("boundary edges", [](const M& m) { return m.topology.boundary_edges; }),
+       whole("pinches", [](const M& m) { return m.topology.nonmanifold_edges + m.topology.nonmanifold_vertices; }),
+       whole("misoriented edges", [](const M& m) { return m.topology.misoriented_edges; }),
+       whole("self-intersections", [](const M& m) { return m.topology.self_intersections; })});
+  table.remarks = {"Pinches are non-manifold edges and vertices together."};
+  table.definitions = {"components",        "components_reference", "euler",
+                       "euler_reference",   "reference_k",          "boundary_edges",
+                       "nonmanifold_edges", "nonmanifold_vertices", "misoriented_edges",
+                       "self_intersections"};
+  return table;
+}
+
+Table distance_table(const Arrangement& runs) {
+  using R = RunRecord;
+  Table table = table_of_runs(
+      runs, "Distance to the surface F = c",
+      {{"mean mm", [](const R& r) { return r.measurement->distance.mean; }, to_significant(3)},
+       {"max mm", [](const R& r) { return r.measurement->distance.max; }, to_significant(3)},
+       {"mean voxels", [](const R& r) { return r.measurement->distance.mean_voxels; }, to_significant(3)},
+       {"max voxels", [](const R& r) { return r.measurement->distance.max_voxels; }, to_significant(3)},
+       {"vertices max mm", [](const R& r) { return r.measurement->distance.vertex_max; }, to_significant(3)},
+       whole("not projected", [](const Measurement& m) { return m.distance.unprojected; })});
+  table.definitions = {"distance_mean", "distance_max", "distance_vertex_max"};
+  return table;
+}
+
+Table cost_table(const Arrangement& runs) {
+  using R = RunRecord;
+  Table table = table_of_runs(runs, "Cost",
+                              {{"prepare s", [](const R& r) { return r.seconds_prepare; }, to_significant(3)},
+                               {"sizing s", [](const R& r) { return r.seconds_sizing; }, to_significant(3)},
+                               {"method s", [](const R& r) { return r.seconds_method; }, to_significant(3)},
+                               {"sizing + method s", [](const R& r) { return r.seconds_total; }, to_significant(3)},
+                               {"peak MB", [](const R& r) { return r.peak_memory_mb; }, to_significant(3)}});
+  table.remarks = {
+      "Wall seconds. Prepare reads and prepares the volume; a method that asks for no sizing field pays none; metrics "
+      "and files are not counted. Peak memory is the process's, up to the finished mesh."};
+  return table;
+}
+
+Table seed_table(const Arrangement& runs) {
+  using R = RunRecord;
+  const auto vertices = [](const R& r) { return static_cast<double>(r.measurement->vertices); };
+  const auto smallest = [](const R& r) { return r.measurement->radius_ratio.min; };
+  const auto average = [](const R& r) { return r.measurement->radius_ratio.avg; };
+  const auto six = [](const R& r) { return r.measurement->valence.v6_percent; };
+  const auto seconds = [](const R& r) { return r.seconds_total; };
+  Table table;
+  table.title = "Spread over seeds and repeats: median (smallest–largest)";
+  table.header = {"Data",        "Method",  "vertices",           "radius ratio min", "radius ratio avg",
+                  "valence 6 %", "seconds", "repeats of one seed"};
+  for (const std::string& dataset : runs.datasets) {
+    for (const Variant& variant : runs.variants) {
+      const Runs group = finished(find_runs(variant, dataset));
+      if (group.size() < 2) continue;
+      table.rows.push_back({dataset, variant.name + spread_label(find_runs(variant, dataset)) + dagger(group),
+                            over(group, vertices, as_number()), over(group, smallest, to_significant(3)),
+                            over(group, average, to_significant(4)), over(group, six, to_significant(4)),
+                            over(group, seconds, to_significant(3)), sameness(group)});
+    }
+  }
+  return table;
+}
+
+std::vector<Table> all_tables(const Results& results) {
+  const Arrangement runs = arrange(results);
+  std::vector<Table> tables = {sizes_table(results, runs),
+                               radius_ratio_table(results, runs),
+                               valence_table(results, runs),
+                               edge_length_table(results, runs),
+                               topology_table(runs),
+                               distance_table(runs),
+                               cost_table(runs),
+                               seed_table(runs)};
+  for (Table& grid : sizing_grid_tables(results)) tables.push_back(std::move(grid));
+  std::erase_if(tables, [](const Table& table) { return table.empty(); });
+  return tables;
+}
+
+std::string markdown_tables(const Results& results) {
+  std::string text = "# " + results.title + "\n\n" + provenance(results) + gaps(results) + broken_promises(results);
+  if (!seed_table(arrange(results)).empty()) {
+    text +=
+        "Where a row says seeds or repeats, a figure is the median of the finished runs and, in brackets, their "
+        "range (smallest–largest).\n\n";
+  }
+  for (const Table& table : all_tables(results)) text += markdown(table) + "\n";
+  text += claims_section(results);
+  if (results.published) {
+    text += heading("The published figures") + results.published->source + ".\n\n" + results.published->note + "\n\n";
+  }
+  return text + footnotes(results);
+}
+
+}  // namespace isobench

@@ -1,0 +1,32 @@
+// The tables of the paper and those beyond it, as Markdown: ours, and the published figure beside it where there is
+// one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/arrangement.h"
+#include "reports/results.h"
+#include "reports/table.h"
+
+namespace isobench {
+
+/// All tables of a results folder. Runs that are not ok stand in their cells with status and reason; meshes that are
+/// not closed and manifold carry a dagger. Under each table stand the definitions of its figures and the published
+/// source.
+std::string markdown_tables(const Results& results);
+
+/// The tables of a results folder, for whatever they are to be written in; those without a row are left out.
+std::vector<Table> all_tables(const Results& results);
+
+// The single tables. Laid out as in Meyer, Kirby, Whitaker 2007.
+Table sizes_table(const Results& results, const Arrangement& runs);         ///< Table 1
+Table radius_ratio_table(const Results& results, const Arrangement& runs);  ///< Table 2
+Table valence_table(const Results& results, const Arrangement& runs);       ///< Table 3
+Table edge_length_table(const Results& results, const Arrangement& runs);   ///< Figure 4 as a table
+Table topology_table(const Arrangement& runs);
+Table distance_table(const Arrangement& runs);
+Table cost_table(const Arrangement& runs);
+Table seed_table(const Arrangement& runs);  ///< spread over seeds and repeats, and whether repeats agree
+
+}  // namespace isobench

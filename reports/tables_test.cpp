@@ -1,0 +1,210 @@
+#include "reports/tables.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "reports/markdown.h"
+#include "reports/sample_records.h"
+
+namespace isobench {
+namespace {
+
+// The cells of the first row of a Markdown text that starts with these.
+std::vector<std::string> find_row(const std::string& text, const std::vector<std::string>& start) {
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with("| ")) continue;
+    std::vector<std::string> cells;
+    std::istringstream parts(line.substr(1));
+    for (std::string cell; std::getline(parts, cell, '|');) {
+      const std::size_t first = cell.find_first_not_of(' ');
+      const std::size_t last = cell.find_last_not_of(' ');
+      cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+    }
+    if (cells.size() >= start.size() && std::equal(start.begin(), start.end(), cells.begin())) return cells;
+  }
+  ADD_FAILURE() << "no row " << start.front() << " in\n" << text;
+  return std::vector<std::string>(20);
+}
+
+std::vector<std::string> find_row(const Table& table, const std::vector<std::string>& start) {
+  return find_row(markdown(table), start);
+}
+
+Results sample_results() {
+  Results results;
+  results.name = "test";
+  results.title = "A test";
+  results.records = {sample_record("pelvis", "particles"), sample_record("pelvis", "marching-cubes"),
+                     sample_record("skull", "particles"), sample_record("skull", "marching-cubes")};
+  results.records[2].measurement->topology.nonmanifold_vertices = 2;
+  results.records[2].measurement->topology.nonmanifold_edges = 1;
+  results.records[3].status = Status::timeout;
+  results.records[3].reason = "not finished after 20 minutes";
+  results.records[3].measurement.reset();
+  results.published = read_published(ISOBENCH_SOURCE "/experiments/published/meyer-2007.toml");
+  return results;
+}
+
+TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
+  const Results results = sample_results();
+  const std::string table = markdown(radius_ratio_table(results, arrange(results)));
+  const auto particles = find_row(table, {"particles"});
+  EXPECT_EQ(particles[1], "0.300 / 0.945 (published 0.40 / 0.92)");
+  EXPECT_EQ(particles[2], "0.300 / 0.945 † (published 0.092 / 0.94)");
+  const auto cubes = find_row(table, {"marching-cubes"});
+  EXPECT_EQ(cubes[1], "0.300 / 0.945 (published 0.00 / 0.66)");
+  EXPECT_EQ(cubes[2], "timeout: not finished after 20 minutes (published 0.000 / 0.66)");
+  // Published without a run of ours beside it.
+  const auto front = find_row(table, {"advancing-front (published: af)"});
+  EXPECT_EQ(front[1], "published 0.23 / 0.94");
+  EXPECT_NE(table.find("2 r_in / r_circ"), std::string::npos);  // its definition in words
+  EXPECT_NE(table.find("Published: Meyer, Kirby, Whitaker 2007, Table 2, of other data than ours"), std::string::npos);
+  const std::string all = markdown_tables(results);
+  EXPECT_NE(all.find("IEEE Transactions on Visualization and Computer Graphics"), std::string::npos);
+  EXPECT_NE(all.find("stand-ins"), std::string::npos);
+}
+
+TEST(Tables, SizesSayWhatTheyAreOf) {
+  const Results results = sample_results();
+  const auto row = find_row(sizes_table(results, arrange(results)), {"pelvis", "particles"});
+  EXPECT_EQ(row[2], "64 × 32 × 16 (published 271 × 390 × 282 voxels)");
+  EXPECT_EQ(row[3], "0.5, 0.3 (published 0.75, 0.5)");
+  EXPECT_EQ(row[4], "5.25 s (published 1 min)");
+  EXPECT_EQ(row[5], "1002 (published 4992)");
+  EXPECT_EQ(row[6], "2000 (published 9984)");
+}
+
+TEST(Tables, ValencesHaveTheirAverages) {
+  Results results = sample_results();
+  results.records[2].measurement->valence.v6_percent = 66.0;
+  const Table table = valence_table(results, arrange(results));
+  EXPECT_EQ(find_row(table, {"pelvis", "particles"})[4], "64.00");
+  EXPECT_EQ(find_row(table, {"average of 2", "particles"})[4], "65.00");
+  EXPECT_EQ(find_row(table, {"average", "published: ps"})[4], "63.275");
+  EXPECT_NE(find_row(table, {"average", "published: ps"})[6].find("0.7"), std::string::npos);
+  EXPECT_EQ(find_row(table, {"skull", "marching-cubes"})[2], "timeout: not finished after 20 minutes");
+}
+
+TEST(Tables, TopologyCountsPinchesAndMarksThem) {
+  const Results results = sample_results();
+  const Table table = topology_table(arrange(results));
+  const auto whole = find_row(table, {"pelvis", "particles"});
+  const auto pinched = find_row(table, {"skull", "particles †"});
+  EXPECT_EQ(whole[2], "1");
+  EXPECT_EQ(whole[3], "3");
+  EXPECT_EQ(whole[4], "-14");
+  EXPECT_EQ(whole[5], "-12");
+  EXPECT_EQ(whole[6], "2");
+  EXPECT_EQ(whole[8], "0");
+  EXPECT_EQ(pinched[8], "3");
+  const std::string all = markdown_tables(results);
+  EXPECT_NE(all.find("† not a closed manifold"), std::string::npos);
+}
+
+TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
+  const Results results = sample_results();
+  const auto row = find_row(edge_length_table(results, arrange(results)), {"skull", "particles †"});
+  EXPECT_EQ(row[2], "1.250");
+  EXPECT_EQ(row[3], "3");
+  EXPECT_EQ(row[5], "0.00350 (published < 0.004 %)");
+}
+
+TEST(Tables, CostIsInSeconds) {
+  const Results results = sample_results();
+  const auto row = find_row(cost_table(arrange(results)), {"pelvis", "particles"});
+  EXPECT_EQ((std::vector<std::string>(row.begin() + 2, row.begin() + 7)),
+            (std::vector<std::string>{"1.50", "2.00", "3.25", "5.25", "321"}));
+}
+
+TEST(Tables, WhatIsMissingIsSaid) {
+  Results results = sample_results();
+  results.missing.push_back(sample_record("vessel", "particles").request);
+  results.unreadable.push_back("results/x/run.json: not a readable run record");
+  const std::string text = markdown_tables(results);
+  EXPECT_NE(text.find("1 of 5 runs are not done yet: vessel-particles"), std::string::npos);
+  EXPECT_NE(text.find("not a readable run record"), std::string::npos);
+}
+
+TEST(Tables, SeveralSizingsAreToldApartAndSeedsAreTheirSpread) {
+  Results results;
+  for (const double epsilon : {0.5, 0.75}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      results.records.push_back(sample_record("skull", "particles"));
+      results.records.back().request.sizing.epsilon = epsilon;
+      results.records.back().request.seed = seed;
+      results.records.back().measurement->vertices = 1000 + 100 * seed * seed;
+      results.records.back().seconds_total = 1.0 / static_cast<double>(seed);
+    }
+  }
+  const Arrangement runs = arrange(results);
+  ASSERT_EQ(runs.variants.size(), 2U);
+  EXPECT_EQ(runs.variants[1].name, "particles, ε 0.75, δ 0.3");
+  const auto spread = find_row(seed_table(runs), {"skull", "particles, ε 0.5, δ 0.3 (3 seeds)"});
+  EXPECT_EQ(spread[2], "1400 (1100–1900)");
+  EXPECT_EQ(spread[6], "0.500 (0.333–1.00)");
+  EXPECT_EQ(spread[7], "–");  // no seed was repeated
+  const auto sizes = find_row(sizes_table(results, runs), {"skull", "particles, ε 0.75, δ 0.3 (3 seeds)"});
+  EXPECT_EQ(sizes[4], "0.500 (0.333–1.00) s");
+  EXPECT_EQ(sizes[5], "1400 (1100–1900)");
+  EXPECT_EQ(sizes[6], "2000");  // where all agree, one value
+  EXPECT_NE(markdown_tables(results).find("the median of the finished runs and, in brackets, their range"),
+            std::string::npos);
+}
+
+TEST(Tables, RepeatsThatDisagreeBreakAPromise) {
+  Results results;
+  for (const int repeat : {1, 2, 3}) {
+    results.records.push_back(sample_record("skull", "particles"));
+    results.records.back().request.repeat = repeat;
+  }
+  EXPECT_EQ(find_row(seed_table(arrange(results)), {"skull", "particles (3 repeats)"})[7], "the same mesh");
+  EXPECT_EQ(markdown_tables(results).find("Not deterministic"), std::string::npos);
+  results.records[2].mesh_checksum = "another";
+  EXPECT_EQ(find_row(seed_table(arrange(results)), {"skull", "particles (3 repeats)"})[7], "2 different meshes");
+  EXPECT_NE(markdown_tables(results).find("- particles on skull: 2 different meshes in repeats of one seed"),
+            std::string::npos);
+  // Who promises nothing breaks no promise; other seeds are other meshes.
+  for (RunRecord& record : results.records) record.deterministic = false;
+  EXPECT_EQ(markdown_tables(results).find("**Not deterministic**"), std::string::npos);
+  for (RunRecord& record : results.records) record.deterministic = true;
+  results.records[2].request.seed = 2;
+  EXPECT_EQ(markdown_tables(results).find("**Not deterministic**"), std::string::npos);
+}
+
+TEST(Tables, UnfinishedRunsOfAGroupAreCountedAndLeftOut) {
+  Results results;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    results.records.push_back(sample_record("skull", "particles"));
+    results.records.back().request.seed = seed;
+    results.records.back().measurement->vertices = 1000 * seed;
+  }
+  results.records[0].status = Status::timeout;
+  results.records[0].measurement.reset();
+  results.records[1].measurement->topology.boundary_edges = 4;
+  const auto row = find_row(sizes_table(results, arrange(results)), {"skull", "particles (3 seeds, 1 timeout)"});
+  EXPECT_EQ(row[5], "2500 (2000–3000)");
+  EXPECT_EQ(row[6], "2000 †");  // one open mesh marks the cell
+  const auto topology = find_row(topology_table(arrange(results)), {"skull", "particles (3 seeds, 1 timeout) †"});
+  EXPECT_EQ(topology[7], "2 (0–4)");
+}
+
+TEST(Tables, WithoutPublishedFiguresNothingIsClaimed) {
+  Results results = sample_results();
+  results.published.reset();
+  EXPECT_EQ(markdown_tables(results).find("ublished"), std::string::npos);
+}
+
+TEST(Markdown, PadsByCharactersAndEscapesBars) {
+  MarkdownTable table({"ε", "b"});
+  table.add({"x|y", "1"});
+  EXPECT_EQ(table.text(), "| ε    | b   |\n| ---- | --- |\n| x\\|y | 1   |\n");
+  EXPECT_EQ(significant(0.01953, 3), "0.0195");
+  EXPECT_EQ(significant(1234.5, 3), "1234");
+  EXPECT_EQ(significant(7.07e-6, 3), "7.07e-06");
+  EXPECT_EQ(significant(0.0, 3), "0");
+}
+
+}  // namespace
+}  // namespace isobench
