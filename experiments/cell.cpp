@@ -1,0 +1,147 @@
+#include "experiments/cell.h"
+
+#include <ctime>
+#include <fstream>
+#include <new>
+
+#include "methods/mesh_checksum.h"
+#include "methods/mesh_files.h"
+#include "methods/method.h"
+
+namespace isobench {
+
+namespace {
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+// The sizing is a stage of whatever stage of the method asked for it.
+double sizing_seconds(const Monitor& monitor) {
+  double seconds = 0.0;
+  for (const StageTime& stage : monitor.stages()) {
+    if (stage.name.starts_with("mesh/") && stage.name.ends_with("/sizing")) seconds += stage.wall_seconds;
+  }
+  return seconds;
+}
+
+void book(const Monitor& monitor, RunRecord& record) {
+  record.seconds_prepare = monitor.seconds("prepare");
+  record.seconds_total = monitor.seconds("mesh");
+  record.seconds_sizing = sizing_seconds(monitor);
+  record.seconds_method = record.seconds_total - record.seconds_sizing;
+  record.stages = monitor.stages();
+  record.counters = monitor.counters();
+  record.traces = monitor.traces();
+  record.notes = monitor.notes();
+}
+
+MeshingTask task_of(const Dataset& dataset, const RunRequest& request, const Method& chosen) {
+  Parameters parameters(chosen.parameters);
+  for (const auto& [name, value] : request.parameters) parameters.set(chosen.parameters, name, value);
+  return {*dataset.surface, request.sizing, std::move(parameters), request.seed};
+}
+
+TriangleMesh load_and_mesh(const RunRequest& request, Monitor& monitor, RunRecord& record) {
+  Dataset dataset;
+  {
+    const Monitor::Stage stage = monitor.stage("prepare");
+    dataset = load_dataset(request.dataset, monitor);
+  }
+  if (dataset.checksum != request.dataset_checksum) {
+    throw DataError("dataset '" + request.dataset + "' changed since the run was planned; start the experiment again");
+  }
+  record.dataset = describe(dataset);
+  TriangleMesh mesh = mesh_and_measure(dataset, request, monitor, record);
+  return to_world(std::move(mesh), dataset.surface->lattice());
+}
+
+}  // namespace
+
+double peak_memory_mb() {
+  // Not getrusage: that counts what the parent had before exec, this starts with the program.
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024.0 / 1e6;
+  }
+  return 0.0;
+}
+
+DatasetRecord describe(const Dataset& dataset) {
+  const Isosurface& surface = *dataset.surface;
+  return {dataset.title,
+          dataset.source,
+          dataset.preparation,
+          surface.lattice(),
+          surface.isovalue(),
+          to_string(surface.inside()),
+          to_string(surface.kernel())};
+}
+
+RunRecord begin_record(const RunRequest& request, int threads) {
+  RunRecord record;
+  record.request = request;
+  record.started = utc_now();
+  record.threads = threads;
+  record.deterministic = method(request.method).deterministic;
+  record.environment = environment();
+  return record;
+}
+
+MeasuredAgain measured_now() {
+  const Environment here = environment();
+  return {utc_now(), here.commit, here.dirty};
+}
+
+TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record) {
+  const Method& chosen = method(request.method);
+  const MeshingTask task = task_of(dataset, request, chosen);
+  TriangleMesh mesh;
+  {
+    const Monitor::Stage stage = monitor.stage("mesh");
+    mesh = chosen.mesh(task, monitor);
+  }
+  record.peak_memory_mb = peak_memory_mb();
+  if (mesh.triangles.empty()) throw Error("the method returned no triangles");
+
+  const Monitor::Stage stage = monitor.stage("measure");
+  const std::shared_ptr<const SizingField> sizing = task.sizing_field(monitor);
+  record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
+  record.measurement = measure(mesh, *dataset.surface, *sizing, request.reference_k, monitor);
+  return mesh;
+}
+
+CellResult run_cell(const RunRequest& request, const std::filesystem::path& folder, int threads, Monitor& monitor) {
+  CellResult result{begin_record(request, threads), 1};
+  RunRecord& record = result.record;
+  try {
+    const TriangleMesh mesh = load_and_mesh(request, monitor, record);
+    write_mesh(mesh, folder / "mesh.vtp");
+    record.mesh_checksum = checksum(mesh);
+    record.status = Status::ok;
+    result.exit_code = 0;
+  } catch (const Skipped& skipped) {
+    record.status = Status::skipped;
+    record.reason = skipped.what();
+    result.exit_code = 0;
+  } catch (const DataError& error) {
+    record.reason = error.what();
+    // Once the data are loaded it is the mesh that is bad, not they.
+    result.exit_code = record.dataset ? 1 : 3;
+  } catch (const std::bad_alloc&) {
+    record.reason = "out of memory: an allocation failed";
+  } catch (const std::exception& error) {
+    record.reason = error.what();
+  }
+  if (record.status != Status::ok) record.measurement.reset();
+  book(monitor, record);
+  write_record(record, folder / "run.json");
+  return result;
+}
+
+}  // namespace isobench

@@ -1,0 +1,3 @@
+#include "experiments/verbs.h"
+
+int main(int argc, char** argv) { return isobench::command_line(argc, argv); }

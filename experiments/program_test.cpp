@@ -1,0 +1,147 @@
+// Exit codes and sentences of the program, and what its verbs print.
+#include <gtest/gtest.h>
+
+#include "experiments/test_program.h"
+
+namespace isobench {
+namespace {
+
+class ProgramVerbs : public testing::Test {
+ protected:
+  Outcome run(const std::vector<std::string>& arguments) { return run_program(folder_.path(), arguments); }
+  void expect(const std::vector<std::string>& arguments, int code, const std::string& sentence) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << "got: " << outcome.err;
+    EXPECT_EQ(outcome.out, "");  // stdout is for results
+  }
+  TestFolder folder_;
+};
+
+const std::vector<std::string> mesh_torus = {"mesh", "--dataset", "torus", "--method", "marching-cubes", "-q"};
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
+  expect({"rnu"}, 2, "did you mean 'run'?");
+  expect({"run", "nowhere.toml"}, 2, "nowhere.toml");
+  expect({"mesh", "--dataset", "torsu", "--epsilon", "1", "--delta", "0.5"}, 2, "did you mean 'torus'?");
+  expect(with(mesh_torus, {"--epsilon", "-1", "--delta", "0.3"}), 2, "epsilon");
+  expect(with(mesh_torus, {"--epsilon", "nan", "--delta", "0.3"}), 2, "epsilon");
+  expect(with(mesh_torus, {"--epsilon", "much", "--delta", "0.3"}), 2, "--epsilon");
+  expect(mesh_torus, 2, "edge");
+  expect(with(mesh_torus, {"--edge-length", "2", "--vertices", "100"}), 2, "edge");
+  expect(with(mesh_torus, {"--edge-length", "2", "-o", "mesh.stp"}), 2, "unknown ending '.stp'");
+  expect(with(mesh_torus, {"--edge-length", "2", "-o", "no/such/mesh.ply"}), 2, "does not exist");
+  expect(with(mesh_torus, {"--edge-length", "2", "--frobnicate"}), 2, "--frobnicate");
+  expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--method", "partcles"}, 2, "did you mean 'particles'?");
+  expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--set", "sweps=3"}, 2, "did you mean 'sweeps'?");
+  expect({"mesh", "--volume", "scan.nrrd", "--edge-length", "2"}, 2, "--isovalue");
+  expect({"list", "metohds"}, 2, "did you mean 'methods'?");
+}
+
+TEST_F(ProgramVerbs, BadDataExitWith3) {
+  expect({"mesh", "--volume", "nowhere.nrrd", "--isovalue", "1", "--edge-length", "2", "-q"}, 3, "nowhere.nrrd");
+  folder_.write("empty.nrrd", "");
+  expect({"mesh", "--volume", "empty.nrrd", "--isovalue", "1", "--edge-length", "2", "-q"}, 3, "empty.nrrd");
+  folder_.write("mesh.ply", "no mesh\n");
+  expect({"measure", "mesh.ply", "--dataset", "torus", "-q"}, 3, "mesh.ply");
+  expect({"report", "results/none"}, 3, "no results folder");
+}
+
+TEST_F(ProgramVerbs, RunsWithoutUsableDataExitWith3AndAreRecorded) {
+  folder_.write("own.toml", R"(title = "own"
+licence = "own"
+source = "own"
+isovalue = 0.5
+inside = "above"
+prepare = []
+[data]
+folder = "own"
+files = [ { name = "scan.nrrd", sha256 = "0000000000000000000000000000000000000000000000000000000000000000" } ]
+)");
+  std::filesystem::create_directory(folder_.path() / "own");
+  folder_.write("own/scan.nrrd", "NRRD0004\n");
+  folder_.write("x.toml", R"(dataset = "own.toml"
+[sampling]
+edge_length = 2
+[[method]]
+name = "marching-cubes"
+)");
+  const Outcome outcome = run({"run", "x.toml"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("| failed: "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("scan.nrrd"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ProgramVerbs, MeshThenMeasureAgree) {
+  const Outcome meshed = run(with(mesh_torus, {"--epsilon", "0.5", "--delta", "0.3", "-o", "torus.vtp"}));
+  ASSERT_EQ(meshed.code, 0) << meshed.err;
+  EXPECT_EQ(meshed.err, "");
+  EXPECT_NE(meshed.out.find("Euler 0 (surface 0"), std::string::npos) << meshed.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "torus.vtp"));
+  const Outcome measured = run({"measure", "torus.vtp", "--dataset", "torus", "--epsilon", "0.5", "-q"});
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  // The mesh went through world coordinates and a file and came back: the same figures, line by line.
+  const std::size_t figures = meshed.out.find("size ");
+  EXPECT_EQ(measured.out, meshed.out.substr(figures, measured.out.size()));
+}
+
+TEST_F(ProgramVerbs, MeasureAsJsonKnowsWhatItWasNotAsked) {
+  ASSERT_EQ(run(with(mesh_torus, {"--edge-length", "2", "-o", "torus.ply"})).code, 0);
+  const Outcome measured = run({"measure", "torus.ply", "--dataset", "torus", "--json", "-q"});
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  EXPECT_NE(measured.out.find("\"edge_over_h0_max\": null"), std::string::npos) << measured.out;
+  EXPECT_NE(measured.out.find("\"euler\": 0"), std::string::npos) << measured.out;
+}
+
+TEST_F(ProgramVerbs, ListAndVersionSayWhatThereIs) {
+  const Outcome methods = run({"list", "methods"});
+  EXPECT_EQ(methods.code, 0);
+  EXPECT_NE(methods.out.find("particles"), std::string::npos);
+  EXPECT_NE(methods.out.find("sweeps"), std::string::npos);
+  const Outcome all = run({"list"});
+  for (const char* word : {"datasets:", "torus", "metrics:", "radius_ratio_min", "columns:", "seconds_total",
+                           "experiments:", "quick.toml"}) {
+    EXPECT_NE(all.out.find(word), std::string::npos) << word;
+  }
+  const Outcome version = run({"--version"});
+  EXPECT_EQ(version.code, 0);
+  for (const char* word : {"isobench ", "commit", "VTK 9", "CGAL 5"}) {
+    EXPECT_NE(version.out.find(word), std::string::npos) << word;
+  }
+}
+
+TEST_F(ProgramVerbs, DryRunTouchesNothing) {
+  const Outcome outcome =
+      run({"run", std::string(ISOBENCH_EXPERIMENTS) + "/quick.toml", "--dry-run", "--only", "torus/*"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("to do      torus-particles-e0.5-d0.3-s1-"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "results"));
+}
+
+TEST_F(ProgramVerbs, SetAndSeedMakeAnotherExperiment) {
+  const std::string config = std::string(ISOBENCH_EXPERIMENTS) + "/quick.toml";
+  const auto plan = [&](const std::vector<std::string>& more) {
+    return run(with({"run", config, "--dry-run", "--only", "torus/particles"}, more)).out;
+  };
+  EXPECT_NE(plan({"--seed", "7"}).find("to do      torus-particles-e0.5-d0.3-s7-"), std::string::npos);
+  EXPECT_EQ(plan({"--set", "sweeps=60"}), plan({}));  // the default
+  EXPECT_NE(plan({"--set", "sweeps=5"}), plan({}));
+  expect({"run", config, "--dry-run", "--set", "swepes=5"}, 2, "did you mean 'sweeps'?");
+}
+
+TEST_F(ProgramVerbs, TheProjectsOwnConfigsAreSound) {
+  for (const auto& entry : std::filesystem::directory_iterator(ISOBENCH_EXPERIMENTS)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = run({"run", entry.path().string(), "--dry-run"});
+    EXPECT_EQ(outcome.code, 0) << entry.path() << outcome.err;
+    EXPECT_NE(outcome.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace isobench

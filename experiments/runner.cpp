@@ -1,0 +1,230 @@
+#include "experiments/runner.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <deque>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "experiments/cell.h"
+#include "experiments/child.h"
+#include "experiments/plan.h"
+
+namespace isobench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t stop_signal = 0;
+void remember_signal(int signal) { stop_signal = signal; }
+
+// Catches the signals that end a session while runs are going on.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    stop_signal = 0;
+    struct sigaction action {};
+    action.sa_handler = remember_signal;
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+  }
+  ~SignalGuard() {
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+  }
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
+
+ private:
+  static constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> before_{};
+};
+
+struct Active {
+  RunRequest request;
+  std::string title;
+  std::optional<FileLock> quiet;  // of a timed run
+  Claim claim;
+  Child child;
+};
+
+std::string last_lines(const fs::path& log, std::size_t count) {
+  std::ifstream file(log);
+  std::deque<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty()) continue;
+    lines.push_back(line);
+    if (lines.size() > count) lines.pop_front();
+  }
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : " | ") + line;
+  return text;
+}
+
+// The record of a run that could not write its own.
+RunRecord failure(const Active& active, Status status, const std::string& reason) {
+  RunRecord record = begin_record(active.request, 0);
+  record.status = status;
+  record.reason = reason;
+  record.seconds_total = active.child.seconds();
+  return record;
+}
+
+std::string limit_exceeded(const Active& active, Status& status) {
+  const RunRequest& request = active.request;
+  if (request.limit_minutes && active.child.seconds() > 60.0 * *request.limit_minutes) {
+    status = Status::timeout;
+    return fmt::format("not finished after {} minutes", *request.limit_minutes);
+  }
+  if (request.limit_memory_gb && active.child.peak_memory_gb() > *request.limit_memory_gb) {
+    status = Status::failed;
+    return fmt::format("out of memory: needed more than {} GB", *request.limit_memory_gb);
+  }
+  return "";
+}
+
+std::string exit_reason(const ChildExit& exit, const fs::path& log) {
+  const std::string tail = last_lines(log, 3);
+  const std::string after = tail.empty() ? "" : "; its log ends: " + tail;
+  if (exit.signal != 0) return "ended by " + signal_name(exit.signal) + after;
+  return fmt::format("ended with exit code {} and no record{}", exit.code, after);
+}
+
+class Runner {
+ public:
+  Runner(const Store& store, const RunOptions& options, Console& console, std::size_t total)
+      : store_(store), options_(options), console_(console), total_(total) {}
+
+  RunSummary run(const std::vector<RunRequest>& cells) {
+    const SignalGuard guard;
+    std::size_t next = 0;
+    while (stop_signal == 0 && (next < cells.size() || !active_.empty())) {
+      while (stop_signal == 0 && next < cells.size() && room_for(cells[next]) && start(cells[next])) ++next;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      for (std::size_t i = 0; i < active_.size() && stop_signal == 0;) {
+        if (step(*active_[i]))
+          active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+          ++i;
+      }
+      show();
+    }
+    console_.clear();
+    summary_.interrupted = stop_signal != 0;
+    active_.clear();  // kills the children, then removes their folders
+    return summary_;
+  }
+
+ private:
+  // A timed run has the machine to itself, as far as this program goes.
+  bool room_for(const RunRequest& request) const {
+    if (active_.empty()) return true;
+    if (request.alone || active_.front()->request.alone) return false;
+    return active_.size() < static_cast<std::size_t>(options_.jobs);
+  }
+
+  // True once it is under way, or need not be; false where it has to wait for another process.
+  bool start(const RunRequest& request) {
+    const std::string repeat = request.repeat > 1 ? fmt::format(" r{}", request.repeat) : "";
+    const std::string title = fmt::format("[{}/{}] {}/{} {} s{}{}", started_ + 1, total_, request.dataset,
+                                          request.label, sizing_text(request.sizing), request.seed, repeat);
+    const bool timed = request.alone && (options_.force || store_.state(request) != RunState::done);
+    std::optional<FileLock> quiet = timed ? store_.claim_quiet() : std::nullopt;
+    if (timed && !quiet) {
+      console_.update(title + ": waits for a timed run of another process", -1.0);
+      return false;
+    }
+    ++started_;
+    if (!options_.force && store_.state(request) == RunState::done) {
+      ++summary_.reused;
+      console_.detail(title + ": done before");
+      return true;
+    }
+    std::optional<Claim> claim = store_.claim(request);
+    if (!claim) {
+      ++summary_.elsewhere;
+      console_.line(title + ": left to another process that is at it");
+      return true;
+    }
+    // Between looking and claiming another process may have finished it.
+    if (!options_.force && store_.state(request) == RunState::done) {
+      ++summary_.reused;
+      return true;
+    }
+    Child child({options_.program.string(), "cell", "--plan", (store_.folder() / "plan.json").string(), "--run",
+                 request.run, "--folder", claim->folder().string(), "--threads", std::to_string(options_.threads)},
+                claim->folder() / "log.txt");
+    console_.detail(title + ": started");
+    active_.push_back(
+        std::make_unique<Active>(Active{request, title, std::move(quiet), std::move(*claim), std::move(child)}));
+    return true;
+  }
+
+  // True once the run is over and stored.
+  bool step(Active& active) {
+    const double seconds = active.child.seconds();
+    if (const std::optional<ChildExit> exit = active.child.poll()) {
+      const fs::path path = active.claim.folder() / "run.json";
+      const bool recorded = exit->signal == 0 && fs::exists(path);
+      const RunRecord record =
+          recorded ? read_record(path)
+                   : failure(active, Status::failed, exit_reason(*exit, active.claim.folder() / "log.txt"));
+      if (exit->code == 3) ++summary_.data;
+      store(active, record, recorded, seconds);
+      return true;
+    }
+    Status status = Status::failed;
+    const std::string reason = limit_exceeded(active, status);
+    if (reason.empty()) return false;
+    const RunRecord record = failure(active, status, reason);
+    active.child.kill();
+    store(active, record, false, seconds);
+    return true;
+  }
+
+  void store(Active& active, const RunRecord& record, bool recorded, double seconds) {
+    if (!recorded) {
+      fs::remove(active.claim.folder() / "mesh.vtp");  // whatever there is of it may be half a mesh
+      write_record(record, active.claim.folder() / "run.json");
+    }
+    active.claim.commit();
+    const bool fine = record.status == Status::ok || record.status == Status::skipped;
+    if (record.status == Status::ok)
+      ++summary_.ok;
+    else if (record.status == Status::skipped)
+      ++summary_.skipped;
+    else
+      ++summary_.failed;
+    const std::string word = fine ? console_.good(to_string(record.status)) : console_.bad(to_string(record.status));
+    console_.line(fmt::format("{}: {}{}, {:.1f} s", active.title, word,
+                              record.reason.empty() ? "" : " (" + record.reason + ")", seconds));
+  }
+
+  void show() {
+    if (active_.empty()) return;
+    Active& first = *active_.front();
+    const ChildProgress& progress = first.child.progress();
+    for (const auto& active : active_) active->child.progress();  // keeps every pipe from filling
+    const std::string more = active_.size() > 1 ? fmt::format(" (and {} more)", active_.size() - 1) : "";
+    console_.update(fmt::format("{}  {}  {:.0f} s{}", first.title, progress.stage, first.child.seconds(), more),
+                    progress.fraction);
+  }
+
+  const Store& store_;
+  const RunOptions& options_;
+  Console& console_;
+  std::size_t total_;
+  std::size_t started_ = 0;
+  RunSummary summary_;
+  std::vector<std::unique_ptr<Active>> active_;
+};
+
+}  // namespace
+
+RunSummary run_cells(const Store& store, const std::vector<RunRequest>& cells, const RunOptions& options,
+                     Console& console) {
+  return Runner(store, options, console, cells.size()).run(cells);
+}
+
+}  // namespace isobench

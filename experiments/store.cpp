@@ -1,0 +1,187 @@
+#include "experiments/store.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <thread>
+
+#include "experiments/plan.h"
+
+namespace isobench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string temporary_prefix = ".tmp-";
+const std::string replaced_prefix = ".old-";
+
+fs::path lock_path(const fs::path& folder, const std::string& run) { return folder / ".locks" / run; }
+
+// Two processes that start at once both write the plan; the second waits for the first.
+FileLock wait_for_lock(const fs::path& path) {
+  for (int tries = 0; tries < 600; ++tries) {
+    if (std::optional<FileLock> lock = FileLock::try_lock(path)) return std::move(*lock);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  throw Error(path.string() + ": still locked by another process after 30 s");
+}
+
+// A replaced run is moved aside before its successor takes the name; whoever died in between left only the old one.
+void settle_replaced(const fs::path& folder, const std::string& run) {
+  const fs::path old = folder / (replaced_prefix + run);
+  if (!fs::exists(old)) return;
+  if (fs::exists(folder / run))
+    fs::remove_all(old);
+  else
+    fs::rename(old, folder / run);
+}
+
+void remove_leftovers(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && (name.starts_with(temporary_prefix) || name.starts_with(replaced_prefix))) {
+      names.push_back(name);
+    }
+  }
+  for (const std::string& name : names) {
+    const std::string run = name.substr(temporary_prefix.size());
+    const std::optional<FileLock> lock = FileLock::try_lock(lock_path(folder, run));
+    if (!lock) continue;  // somebody alive is at it
+    if (name.starts_with(temporary_prefix))
+      fs::remove_all(folder / name);
+    else
+      settle_replaced(folder, run);
+  }
+}
+
+}  // namespace
+
+std::optional<FileLock> FileLock::try_lock(const fs::path& path) {
+  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (descriptor < 0) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return FileLock(descriptor);
+  const int error = errno;
+  close(descriptor);
+  if (error == EWOULDBLOCK) return std::nullopt;
+  throw Error(path.string() + ": cannot be locked: " + std::strerror(error));
+}
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+Claim::Claim(FileLock lock, fs::path temporary, fs::path final)
+    : lock_(std::move(lock)), temporary_(std::move(temporary)), final_(std::move(final)) {
+  fs::remove_all(temporary_);
+  fs::create_directory(temporary_);
+}
+
+Claim::Claim(Claim&& other) noexcept
+    : lock_(std::move(other.lock_)), temporary_(std::move(other.temporary_)), final_(std::move(other.final_)) {
+  other.temporary_.clear();
+}
+
+Claim::~Claim() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+}
+
+void Claim::commit() {
+  const fs::path old = final_.parent_path() / (replaced_prefix + final_.filename().string());
+  if (fs::exists(final_)) {
+    fs::remove_all(old);
+    fs::rename(final_, old);
+  }
+  fs::rename(temporary_, final_);
+  temporary_.clear();
+  fs::remove_all(old);
+}
+
+void check_folder(const fs::path& folder, const Config& config) {
+  if (!fs::exists(folder)) return;
+  if (!fs::is_directory(folder)) throw UsageError(folder.string() + " is a file; give another --out");
+  const fs::path stored = folder / "config.toml";
+  if (!fs::exists(stored)) {
+    // Only the locks: a process died before it came to write anything.
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      if (entry.path().filename() == ".locks") continue;
+      throw UsageError(folder.string() + " exists and is no results folder; rename the config or give another --out");
+    }
+    return;
+  }
+  const std::string remedy = "rename the config, give another --out, or remove that folder";
+  std::string theirs;
+  try {
+    theirs = identity(read_config(stored));
+  } catch (const Error& error) {
+    throw UsageError(folder.string() + " was made from a config that this program cannot read (" + error.what() +
+                     "); " + remedy);
+  }
+  if (theirs != identity(config)) {
+    throw UsageError(folder.string() + " holds the results of another config of the name '" + config.name +
+                     "' (see config.toml there), and results of two configs do not mix; " + remedy);
+  }
+}
+
+namespace {
+
+// Of what is stored alone.
+RunState stored_state(const fs::path& folder, const RunRequest& request) {
+  const fs::path path = folder / request.run / "run.json";
+  if (!fs::exists(path)) return RunState::missing;
+  try {
+    const RunRecord record = read_record(path);
+    if (result_key(record.request) != result_key(request)) return RunState::missing;
+    const bool done = record.status == Status::ok || record.status == Status::skipped;
+    return done ? RunState::done : RunState::retry;
+  } catch (const Error&) {
+    return RunState::missing;
+  }
+}
+
+// Whether a process that lives is at a run. The lock of a run that nobody has begun is let be: another process might
+// want it just then.
+bool being_done(const fs::path& folder, const std::string& run) {
+  const fs::path lock = lock_path(folder, run);
+  return fs::exists(folder / (temporary_prefix + run)) && fs::exists(lock) && !FileLock::try_lock(lock);
+}
+
+}  // namespace
+
+RunState run_state(const fs::path& folder, const RunRequest& request) {
+  const RunState state = stored_state(folder, request);
+  if (state == RunState::done) return state;
+  return being_done(folder, request.run) ? RunState::elsewhere : state;
+}
+
+Store::Store(fs::path folder, const Config& config, const std::vector<RunRequest>& plan) : folder_(std::move(folder)) {
+  check_folder(folder_, config);
+  fs::create_directories(folder_ / ".locks");
+  const FileLock lock = wait_for_lock(folder_ / ".locks" / "store");
+  check_folder(folder_, config);  // again: another process may have made it meanwhile
+  remove_leftovers(folder_);
+  if (config.published) {
+    // Through a string: the source may be this very file, when a stored config is run again.
+    write_text(folder_ / "published.toml", read_text(*config.published));
+  }
+  write_text(folder_ / "plan.json", plan_to_json(plan));
+  write_text(folder_ / "config.toml", to_toml(config, "published.toml"));
+}
+
+RunState Store::state(const RunRequest& request) const { return stored_state(folder_, request); }
+
+std::optional<FileLock> Store::claim_quiet() const { return FileLock::try_lock(folder_ / ".locks" / "timed"); }
+
+std::optional<Claim> Store::claim(const RunRequest& request) const {
+  std::optional<FileLock> lock = FileLock::try_lock(lock_path(folder_, request.run));
+  if (!lock) return std::nullopt;
+  return Claim(std::move(*lock), folder_ / (temporary_prefix + request.run), folder_ / request.run);
+}
+
+}  // namespace isobench

@@ -1,0 +1,90 @@
+// The results folder of one experiment, safe for several processes at once.
+//
+// A run is written into `.tmp-<run>` under an exclusive lock on `.locks/<run>` and renamed when it is complete. The
+// kernel drops the lock of a process that dies, so a temporary folder whose lock can be had is a dead one's.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/config.h"
+#include "reports/record.h"
+
+namespace isobench {
+
+/// An exclusive lock on a file, held until destruction.
+class FileLock {
+ public:
+  /// std::nullopt where another process holds it.
+  static std::optional<FileLock> try_lock(const std::filesystem::path& path);
+  FileLock(FileLock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
+  ~FileLock();
+  FileLock& operator=(FileLock&&) = delete;
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_ = -1;
+};
+
+/// The right to do one run. Its temporary folder disappears with it unless it was committed.
+class Claim {
+ public:
+  Claim(FileLock lock, std::filesystem::path temporary, std::filesystem::path final);
+  ~Claim();
+  Claim(Claim&& other) noexcept;
+  Claim& operator=(Claim&&) = delete;
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+
+  /// Where to write.
+  const std::filesystem::path& folder() const { return temporary_; }
+  /// Makes the folder the run's, in the place of an earlier one. It must hold a run.json.
+  void commit();
+
+ private:
+  FileLock lock_;
+  std::filesystem::path temporary_;
+  std::filesystem::path final_;
+};
+
+enum class RunState {
+  missing,    ///< never run, or its record is damaged or of something else
+  retry,      ///< failed or out of time
+  done,       ///< ok or skipped
+  elsewhere,  ///< not done, but another process is at it
+};
+
+class Store {
+ public:
+  /// Makes or opens `folder` for a config, removes what dead processes left and writes config.toml, plan.json and
+  /// published.toml. Throws UsageError where the folder belongs to another config, or is something else.
+  Store(std::filesystem::path folder, const Config& config, const std::vector<RunRequest>& plan);
+
+  /// A results folder that is there, as it is.
+  explicit Store(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::filesystem::create_directories(folder_ / ".locks");  // a copied folder may have come without
+  }
+
+  const std::filesystem::path& folder() const { return folder_; }
+  RunState state(const RunRequest& request) const;
+  /// std::nullopt where another process is doing this run.
+  std::optional<Claim> claim(const RunRequest& request) const;
+  /// Held while a timed run goes on, so that no other process runs one of this folder beside it; std::nullopt where
+  /// another process holds it. Processes on other machines are not in each other's way, yet wait, too, where the folder
+  /// is shared.
+  std::optional<FileLock> claim_quiet() const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// What Store::state() would say, and `elsewhere` for what another process is at, without making or touching anything.
+RunState run_state(const std::filesystem::path& folder, const RunRequest& request);
+/// Throws UsageError where a results folder that exists does not belong to this config.
+void check_folder(const std::filesystem::path& folder, const Config& config);
+
+}  // namespace isobench

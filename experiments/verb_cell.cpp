@@ -1,0 +1,33 @@
+#include <oneapi/tbb/global_control.h>
+
+#include <csignal>
+
+#include "experiments/cell.h"
+#include "experiments/fault.h"
+#include "experiments/plan.h"
+#include "experiments/verbs.h"
+
+namespace isobench {
+
+namespace {
+
+RunRequest planned(const CellArguments& arguments) {
+  for (const RunRequest& request : plan_from_json(read_text(arguments.plan), arguments.plan.string())) {
+    if (request.run == arguments.run) return request;
+  }
+  throw UsageError(arguments.plan.string() + " has no run '" + arguments.run + "'");
+}
+
+}  // namespace
+
+int cell_verb(const CellArguments& arguments, const CommonArguments&) {
+  std::signal(SIGPIPE, SIG_IGN);  // losing the reader of the progress is no reason to die
+  const RunRequest request = planned(arguments);
+  inject_fault(request);
+  PipeSink sink(arguments.progress_fd);
+  Monitor monitor(&sink);
+  const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return run_cell(request, arguments.folder, static_cast<int>(threads), monitor).exit_code;
+}
+
+}  // namespace isobench

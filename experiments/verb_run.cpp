@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "experiments/plan.h"
+#include "experiments/runner.h"
+#include "experiments/verbs.h"
+#include "reports/report.h"
+
+namespace isobench {
+
+namespace {
+
+std::vector<RunRequest> selection(const std::vector<RunRequest>& plan, const std::string& glob) {
+  std::vector<RunRequest> chosen;
+  std::vector<std::string> names;
+  for (const RunRequest& request : plan) {
+    names.push_back(request.dataset + "/" + request.label);
+    if (selected(request, glob)) chosen.push_back(request);
+  }
+  if (chosen.empty())
+    throw UsageError("--only '" + glob + "' names no run of this experiment" + suggestion(glob, names));
+  return chosen;
+}
+
+void print_plan(const std::filesystem::path& folder, const std::vector<RunRequest>& cells, bool force) {
+  static const std::map<RunState, std::string> words = {{RunState::missing, "to do"},
+                                                        {RunState::retry, "retry"},
+                                                        {RunState::done, "done"},
+                                                        {RunState::elsewhere, "elsewhere"}};
+  std::map<std::string, int> numbers;
+  for (const RunRequest& request : cells) {
+    const RunState state = run_state(folder, request);
+    const std::string word = force && state == RunState::done ? "again" : words.at(state);
+    ++numbers[word];
+    fmt::print("{:9}  {}  {}\n", word, request.run, request.label);
+  }
+  std::string text;
+  for (const char* word : {"to do", "retry", "again", "elsewhere", "done"}) {
+    if (numbers.count(word) > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", numbers[word], word);
+  }
+  const bool timed = std::any_of(cells.begin(), cells.end(), [](const RunRequest& request) { return request.alone; });
+  fmt::print("{} runs in {}: {}{}\n", cells.size(), folder.string(), text, timed ? "; timed, one at a time" : "");
+}
+
+std::string counts(const RunSummary& summary) {
+  std::string text = fmt::format("{} ok", summary.ok);
+  const auto add = [&text](int count, const char* what) {
+    if (count > 0) text += fmt::format(", {} {}", count, what);
+  };
+  add(summary.failed, "failed");
+  add(summary.skipped, "skipped");
+  add(summary.reused, "done before");
+  add(summary.elsewhere, "left to another process");
+  return text;
+}
+
+int exit_code(const RunSummary& summary) {
+  if (summary.failed == 0) return 0;
+  const bool nothing_but_data = summary.data == summary.failed && summary.ok + summary.skipped + summary.reused == 0;
+  return nothing_but_data ? 3 : 1;
+}
+
+}  // namespace
+
+int run_verb(const RunArguments& arguments, const CommonArguments& common) {
+  Config config = read_config(arguments.config, arguments.quick ? Size::quick : Size::full);
+  for (const std::string& setting : arguments.set) set_parameter(config, setting);
+  if (arguments.seed) config.seeds = {*arguments.seed};
+  const std::vector<RunRequest> plan = make_plan(config);
+  const std::vector<RunRequest> cells = selection(plan, arguments.only);
+  const std::filesystem::path folder = arguments.out / config.name;
+  if (arguments.dry_run) {
+    check_folder(folder, config);
+    print_plan(folder, cells, arguments.force);
+    return 0;
+  }
+  Console console(common.verbosity);
+  const Store store(folder, config, plan);
+  RunOptions options;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.jobs = arguments.jobs;
+  options.threads = common.threads;
+  options.force = arguments.force;
+  const RunSummary summary = run_cells(store, cells, options, console);
+  if (summary.interrupted) {
+    fmt::print(stderr, "isobench: stopped ({}); nothing is half-done, the same command continues from here\n",
+               counts(summary));
+    return 130;
+  }
+  const std::string tables = write_report(folder);
+  console.line(fmt::format("{}: {}", config.name, counts(summary)));
+  if (common.verbosity != Verbosity::quiet) fmt::print("{}", tables);
+  console.line(fmt::format("written: {0}/tables.md, {0}/tables.tex, {0}/results.csv", folder.string()));
+  return exit_code(summary);
+}
+
+int report_verb(const std::filesystem::path& folder, const CommonArguments& common) {
+  const std::string tables = write_report(folder);
+  if (common.verbosity != Verbosity::quiet) fmt::print("{}", tables);
+  Console(common.verbosity)
+      .line(fmt::format("written: {0}/tables.md, {0}/tables.tex, {0}/results.csv", folder.string()));
+  return 0;
+}
+
+}  // namespace isobench
