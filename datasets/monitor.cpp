@@ -43,14 +43,15 @@ void Monitor::check() const {
 }
 
 double Monitor::seconds(const std::string& name) const {
-  const auto found =
-      std::find_if(stages_.begin(), stages_.end(), [&](const StageTime& stage) { return stage.name == name; });
-  return found == stages_.end() ? 0.0 : found->wall_seconds;
+  const auto found = std::find_if(booked_.stages.begin(), booked_.stages.end(),
+                                  [&](const StageTime& stage) { return stage.name == name; });
+  return found == booked_.stages.end() ? 0.0 : found->wall_seconds;
 }
 
 void Monitor::book(const std::string& name, double wall, double cpu) {
-  auto found = std::find_if(stages_.begin(), stages_.end(), [&](const StageTime& stage) { return stage.name == name; });
-  if (found == stages_.end()) found = stages_.insert(stages_.end(), StageTime{name, 0.0, 0.0});
+  auto found = std::find_if(booked_.stages.begin(), booked_.stages.end(),
+                            [&](const StageTime& stage) { return stage.name == name; });
+  if (found == booked_.stages.end()) found = booked_.stages.insert(booked_.stages.end(), StageTime{name, 0.0, 0.0});
   found->wall_seconds += wall;
   found->cpu_seconds += cpu;
 }

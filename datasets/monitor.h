@@ -58,17 +58,29 @@ class Monitor {
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
   /// A figure for the run's record, e.g. "particles/splits"; add() sums, set() replaces.
-  void set(const std::string& name, double value) { counters_[name] = value; }
-  void add(const std::string& name, double value) { counters_[name] += value; }
+  void set(const std::string& name, double value) { booked_.counters[name] = value; }
+  void add(const std::string& name, double value) { booked_.counters[name] += value; }
   /// One more point of a curve for the run's record, e.g. "energy" once a sweep.
-  void trace(const std::string& name, double value) { traces_[name].push_back(value); }
+  void trace(const std::string& name, double value) { booked_.traces[name].push_back(value); }
   /// A sentence for the run's log and record.
-  void note(const std::string& sentence) { notes_.push_back(sentence); }
+  void note(const std::string& sentence) { booked_.notes.push_back(sentence); }
 
-  const std::vector<StageTime>& stages() const { return stages_; }
-  const std::map<std::string, double>& counters() const { return counters_; }
-  const std::map<std::string, std::vector<double>>& traces() const { return traces_; }
-  const std::vector<std::string>& notes() const { return notes_; }
+  /// All that has been booked so far, for the record.
+  struct Bookings {
+    std::vector<StageTime> stages;
+    std::map<std::string, double> counters;
+    std::map<std::string, std::vector<double>> traces;
+    std::vector<std::string> notes;
+  };
+  const Bookings& bookings() const { return booked_; }
+  /// Puts earlier bookings in the place of the present ones, as if what happened since had not: for an attempt that is
+  /// not kept. Call outside all stages.
+  void restore(Bookings bookings) { booked_ = std::move(bookings); }
+
+  const std::vector<StageTime>& stages() const { return booked_.stages; }
+  const std::map<std::string, double>& counters() const { return booked_.counters; }
+  const std::map<std::string, std::vector<double>>& traces() const { return booked_.traces; }
+  const std::vector<std::string>& notes() const { return booked_.notes; }
   /// Wall seconds of one stage by its full name; 0 if it never ran.
   double seconds(const std::string& name) const;
 
@@ -78,10 +90,7 @@ class Monitor {
   ProgressSink* sink_ = nullptr;
   std::atomic<bool> cancelled_{false};
   std::string current_;
-  std::vector<StageTime> stages_;
-  std::map<std::string, double> counters_;
-  std::map<std::string, std::vector<double>> traces_;
-  std::vector<std::string> notes_;
+  Bookings booked_;
 };
 
 }  // namespace isobench

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <new>
 
+#include "experiments/matching.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
 #include "methods/method.h"
@@ -41,13 +42,44 @@ void book(const Monitor& monitor, RunRecord& record) {
   record.notes = monitor.notes();
 }
 
-MeshingTask task_of(const Dataset& dataset, const RunRequest& request, const Method& chosen) {
-  Parameters parameters(chosen.parameters);
-  for (const auto& [name, value] : request.parameters) parameters.set(chosen.parameters, name, value);
-  return {*dataset.surface, request.sizing, std::move(parameters), request.seed};
+MeshingTask task_of(const Dataset& dataset, const RunRequest& request, double scale = 1.0) {
+  const ParameterSchema& schema = method(request.method).parameters;
+  Parameters parameters(schema);
+  for (const auto& [name, value] : request.parameters) parameters.set(schema, name, value);
+  return {*dataset.surface, scaled(request.sizing, scale), std::move(parameters), request.seed};
 }
 
-TriangleMesh load_and_mesh(const RunRequest& request, Monitor& monitor, RunRecord& record) {
+TriangleMesh mesh(const MeshingTask& task, const RunRequest& request, Monitor& monitor) {
+  const Monitor::Stage stage = monitor.stage("mesh");
+  TriangleMesh made = method(request.method).mesh(task, monitor);
+  if (made.triangles.empty()) throw Error("the method returned no triangles");
+  return made;
+}
+
+// The try that comes nearest to the number of vertices, with its own seconds, counters and traces: what the other tries
+// took is the search's, not the method's.
+TriangleMesh mesh_matched(const Dataset& dataset, const RunRequest& request, double vertices, Monitor& monitor,
+                          RunRecord& record) {
+  const Monitor::Bookings before = monitor.bookings();
+  VertexMatch match(vertices);
+  TriangleMesh nearest;
+  Monitor::Bookings of_nearest;
+  while (const std::optional<double> scale = match.next()) {
+    monitor.restore(before);
+    TriangleMesh attempt = mesh(task_of(dataset, request, *scale), request, monitor);
+    match.tried(*scale, static_cast<double>(attempt.vertices.size()));
+    if (match.best() + 1 < match.tries()) continue;
+    nearest = std::move(attempt);
+    of_nearest = monitor.bookings();
+    record.peak_memory_mb = peak_memory_mb();
+  }
+  monitor.restore(std::move(of_nearest));
+  record.match = MatchRecord{vertices, match.best_scale(), static_cast<int>(match.tries()), match.reason()};
+  return nearest;
+}
+
+TriangleMesh load_and_mesh(const RunRequest& request, std::optional<double> match_vertices, Monitor& monitor,
+                           RunRecord& record) {
   Dataset dataset;
   {
     const Monitor::Stage stage = monitor.stage("prepare");
@@ -57,7 +89,7 @@ TriangleMesh load_and_mesh(const RunRequest& request, Monitor& monitor, RunRecor
     throw DataError("dataset '" + request.dataset + "' changed since the run was planned; start the experiment again");
   }
   record.dataset = describe(dataset);
-  TriangleMesh mesh = mesh_and_measure(dataset, request, monitor, record);
+  TriangleMesh mesh = mesh_and_measure(dataset, request, monitor, record, match_vertices);
   return to_world(std::move(mesh), dataset.surface->lattice());
 }
 
@@ -98,29 +130,29 @@ MeasuredAgain measured_now() {
   return {utc_now(), here.commit, here.dirty};
 }
 
-TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record) {
-  const Method& chosen = method(request.method);
-  const MeshingTask task = task_of(dataset, request, chosen);
-  TriangleMesh mesh;
-  {
-    const Monitor::Stage stage = monitor.stage("mesh");
-    mesh = chosen.mesh(task, monitor);
+TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record,
+                              std::optional<double> match_vertices) {
+  const MeshingTask task = task_of(dataset, request);
+  TriangleMesh result;
+  if (match_vertices) {
+    result = mesh_matched(dataset, request, *match_vertices, monitor, record);
+  } else {
+    result = mesh(task, request, monitor);
+    record.peak_memory_mb = peak_memory_mb();
   }
-  record.peak_memory_mb = peak_memory_mb();
-  if (mesh.triangles.empty()) throw Error("the method returned no triangles");
-
   const Monitor::Stage stage = monitor.stage("measure");
   const std::shared_ptr<const SizingField> sizing = task.sizing_field(monitor);
   record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
-  record.measurement = measure(mesh, *dataset.surface, *sizing, request.reference_k, monitor);
-  return mesh;
+  record.measurement = measure(result, *dataset.surface, *sizing, request.reference_k, monitor);
+  return result;
 }
 
-CellResult run_cell(const RunRequest& request, const std::filesystem::path& folder, int threads, Monitor& monitor) {
+CellResult run_cell(const RunRequest& request, std::optional<double> match_vertices,
+                    const std::filesystem::path& folder, int threads, Monitor& monitor) {
   CellResult result{begin_record(request, threads), 1};
   RunRecord& record = result.record;
   try {
-    const TriangleMesh mesh = load_and_mesh(request, monitor, record);
+    const TriangleMesh mesh = load_and_mesh(request, match_vertices, monitor, record);
     write_mesh(mesh, folder / "mesh.vtp");
     record.mesh_checksum = checksum(mesh);
     record.status = Status::ok;
@@ -134,11 +166,15 @@ CellResult run_cell(const RunRequest& request, const std::filesystem::path& fold
     // Once the data are loaded it is the mesh that is bad, not they.
     result.exit_code = record.dataset ? 1 : 3;
   } catch (const std::bad_alloc&) {
-    record.reason = "out of memory: an allocation failed";
+    record.status = Status::out_of_memory;
+    record.reason = "an allocation failed";
   } catch (const std::exception& error) {
     record.reason = error.what();
   }
-  if (record.status != Status::ok) record.measurement.reset();
+  if (record.status != Status::ok) {
+    record.measurement.reset();
+    record.match.reset();
+  }
   book(monitor, record);
   write_record(record, folder / "run.json");
   return result;

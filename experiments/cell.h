@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "datasets/catalogue.h"
 #include "reports/record.h"
@@ -14,7 +15,11 @@ double peak_memory_mb();
 /// Meshes a loaded dataset as the request says (stages "mesh" and "measure" of the monitor), fills in the record's
 /// sizing, measurement, seconds and peak memory, and gives the mesh, in the lattice frame and with its data arrays.
 /// The record's seconds_prepare and stages are set from the monitor. Throws what the method and the metrics throw.
-TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record);
+///
+/// With `match_vertices` the method's sizing is scaled until its mesh has about so many (VertexMatch), and the nearest
+/// mesh is kept; it is measured against the sizing as it was asked for.
+TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record,
+                              std::optional<double> match_vertices = std::nullopt);
 
 /// What a record says of a loaded dataset.
 DatasetRecord describe(const Dataset& dataset);
@@ -32,7 +37,8 @@ struct CellResult {
 };
 
 /// The whole run of a planned cell: writes run.json and, if it came to one, mesh.vtp (world coordinates) into `folder`.
-/// Errors become the record's status and reason.
-CellResult run_cell(const RunRequest& request, const std::filesystem::path& folder, int threads, Monitor& monitor);
+/// Errors become the record's status and reason. `match_vertices` is given exactly where the request has match_to.
+CellResult run_cell(const RunRequest& request, std::optional<double> match_vertices,
+                    const std::filesystem::path& folder, int threads, Monitor& monitor);
 
 }  // namespace isobench

@@ -133,6 +133,7 @@ void add_others(CLI::App& app, CommandLine& line) {
   cell->add_option("--plan", line.cell.plan)->required();
   cell->add_option("--run", line.cell.run)->required();
   cell->add_option("--folder", line.cell.folder)->required();
+  cell->add_option("--match-vertices", line.cell.match_vertices);
   cell->add_option("--progress-fd", line.cell.progress_fd);
   add_common(*cell, line);
   cell->callback([&line] { line.action = [&line] { return cell_verb(line.cell, line.common); }; });

@@ -130,6 +130,9 @@ void keep_methods(Config& config, const TomlValue& value) {
   std::erase_if(config.methods, [&kept](const MethodEntry& entry) {
     return std::find(kept.begin(), kept.end(), entry.label) == kept.end();
   });
+  if (config.match && std::find(kept.begin(), kept.end(), config.match->to) == kept.end()) {
+    throw UsageError(value.place(), "[quick] leaves out '" + config.match->to + "', which the others are matched to");
+  }
 }
 
 int read_repeats(const TomlValue& value) {
@@ -157,6 +160,41 @@ std::vector<int> read_reference_k(const TomlValue& table) {
   for (const TomlValue& value : nonempty_list(table.require("k"), "k"))
     refinements.push_back(reference_refinement(value));
   return refinements;
+}
+
+// The entry is named by its label, or by its method where there is but one of it.
+Match read_match(const TomlValue& document, const std::vector<MethodEntry>& methods) {
+  const TomlValue kind = document.require("match");
+  if (kind.as_string() != "vertices") {
+    throw UsageError(kind.place(), "match is '" + kind.as_string() + "'; what can be matched is \"vertices\"");
+  }
+  const TomlValue to = document.require("match_to");
+  std::vector<std::string> known;
+  std::vector<const MethodEntry*> meant;
+  for (const MethodEntry& entry : methods) {
+    known.insert(known.end(), {entry.label, entry.name});
+    if (entry.label == to.as_string())
+      meant.insert(meant.begin(), &entry);
+    else if (entry.name == to.as_string())
+      meant.push_back(&entry);
+  }
+  if (meant.empty()) {
+    throw UsageError(to.place(),
+                     "this experiment has no method '" + to.as_string() + "'" + suggestion(to.as_string(), known));
+  }
+  const MethodEntry& entry = *meant.front();
+  if (entry.label != to.as_string() && meant.size() > 1) {
+    throw UsageError(to.place(), fmt::format("{} entries are of the method '{}'; give the label of the one to match to",
+                                             meant.size(), to.as_string()));
+  }
+  for (const auto& [name, values] : entry.parameters) {
+    if (values.size() > 1) {
+      throw UsageError(to.place(), fmt::format("'{}' has {} values of {}, and runs can be matched to one of them only; "
+                                               "give that one a [[method]] entry of its own",
+                                               entry.label, values.size(), name));
+    }
+  }
+  return {entry.label, to.place()};
 }
 
 std::filesystem::path read_published_path(const TomlValue& table, const std::filesystem::path& folder) {
@@ -237,8 +275,8 @@ void check_kind(const Sampling& sampling) {
 
 Config read_config(const std::filesystem::path& path, Size size) {
   const TomlValue document = TomlValue::parse_file(path);
-  document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "sampling", "override", "vary", "method",
-                       "limits", "reference", "published", "quick"},
+  document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "match", "match_to", "sampling", "override",
+                       "vary", "method", "limits", "reference", "published", "quick"},
                       "an experiment");
   Config config;
   config.name = path.stem().string();
@@ -252,6 +290,7 @@ Config read_config(const std::filesystem::path& path, Size size) {
   config.sampling = read_sampling(document.require("sampling"));
   check_kind(config.sampling);
   config.methods = read_methods(document);
+  if (document.find("match") || document.find("match_to")) config.match = read_match(document, config.methods);
   if (const auto limits = document.find("limits")) config.limits = read_limits(*limits);
   if (const auto reference = document.find("reference")) config.reference_k = read_reference_k(*reference);
   if (const auto published = document.find("published")) {

@@ -59,6 +59,13 @@ struct Variation {
   bool changes(const MethodEntry& entry) const;
 };
 
+/// match = "vertices", match_to = "…": quality at different counts is no comparison, so every other run of a row (same
+/// dataset, sizing, reference k, seed and repeat) is brought to the number of vertices that this entry's run came to.
+struct Match {
+  std::string to;  ///< label, or name, of a method entry
+  Place place;
+};
+
 struct Config {
   std::string name;  ///< the file's stem, and "-quick" where [quick] was applied
   std::string title;
@@ -70,6 +77,7 @@ struct Config {
   std::vector<Override> overrides;
   std::vector<Variation> variations;
   std::vector<MethodEntry> methods;
+  std::optional<Match> match;
   Limits limits;
   std::vector<int> reference_k{default_reference_k};
   std::optional<std::filesystem::path> published;
@@ -79,7 +87,8 @@ enum class Size { full, quick };
 
 /// Reads and checks a config. Every mistake is a UsageError with file, line and column: unknown keys, methods, datasets
 /// and parameters (with the nearest valid name), numbers that are not finite and positive, none or several kinds of
-/// sizing, empty lists, labels used twice, overrides and variations that touch nothing.
+/// sizing, empty lists, labels used twice, overrides and variations that touch nothing, a match to no or several
+/// entries.
 Config read_config(const std::filesystem::path& path, Size size = Size::full);
 
 /// Gives every method entry that has a parameter of this name the value, in the place of what the config says:

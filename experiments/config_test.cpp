@@ -217,6 +217,23 @@ TEST(ConfigErrors, VariationsChangeWhatThereIs) {
   expect_mistake(replaced(particles, "[[vary]]", "sweeps = [1, 2]\n[[vary]]"), {"several values of sweeps"});
 }
 
+TEST(ConfigErrors, RunsAreMatchedToOneEntry) {
+  const std::string match = "match = \"vertices\"\nmatch_to = \"particles\"\n";
+  const std::string both = std::string(plain) + "[[method]]\nname = \"particles\"\n";
+  EXPECT_EQ(mistake(match + both), "");
+  expect_mistake("match = \"area\"\nmatch_to = \"particles\"\n" + both, {"config.toml:1:", "'area'", "\"vertices\""});
+  expect_mistake("match = \"vertices\"\n" + both, {"match_to"});
+  expect_mistake("match_to = \"particles\"\n" + both, {"'match'"});
+  expect_mistake(replaced(match, "particles", "particle") + both, {"config.toml:2:", "'particle'", "'particles'"});
+  expect_mistake(match + both + "sweeps = [5, 10]\n", {"config.toml:2:", "2 values of sweeps"});
+  expect_mistake(match + plain + "[[method]]\nname = \"particles\"\nlabel = \"a\"\n[[method]]\nname = \"particles\"\n" +
+                     "label = \"b\"\nsweeps = 5\n",
+                 {"config.toml:2:", "2 entries", "label"});
+  expect_mistake(match + both + "[[override]]\nmethod = \"particles\"\nsampling = { epsilon = 1.0 }\n",
+                 {"config.toml:2:", "marching-cubes", "same sizing"});
+  expect_mistake(match + both + "[quick]\nmethod = \"marching-cubes\"\n", {"[quick] leaves out 'particles'"});
+}
+
 TEST(ConfigErrors, RepeatsAreAWholeNumber) {
   expect_mistake(std::string("repeats = 0\n") + plain, {"config.toml:1:", "repeats is 0"});
   expect_mistake(std::string("repeats = 1.5\n") + plain, {"config.toml:1:", "repeats"});

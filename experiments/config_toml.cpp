@@ -100,6 +100,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   if (config.repeats > 1) text += fmt::format("repeats = {}\n", config.repeats);
   // Written out where it is not what follows from the repeats.
   if (config.timing != (config.repeats > 1)) text += fmt::format("timing = {}\n", config.timing);
+  if (config.match) text += "match = \"vertices\"\nmatch_to = " + toml(config.match->to) + "\n";
   text += block("[sampling]", sampling_lines(config.sampling));
   for (const Override& change : config.overrides) text += override_block(change);
   for (const Variation& variation : config.variations) text += vary_block(variation);
@@ -124,9 +125,12 @@ std::string identity(const Config& config) {
       }
     }
   }
+  // By number, as two entries of one method may be told apart by their labels alone.
+  for (std::size_t i = 0; config.match && i < config.methods.size(); ++i) {
+    if (config.methods[i].label == config.match->to) plain.match->to = fmt::format("#{}", i);
+  }
   for (Variation& variation : plain.variations) {
     if (variation.table != "method") continue;
-    // By number, as two entries of one method may be told apart by their labels alone.
     std::string entries;
     for (std::size_t i = 0; i < config.methods.size(); ++i) {
       if (variation.changes(config.methods[i])) entries += fmt::format("#{}", i);

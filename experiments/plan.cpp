@@ -163,6 +163,40 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
   return runs;
 }
 
+// Of several, the one that has the same place in the grid; nullptr where there is none.
+const RunRequest* same_row(const std::vector<RunRequest>& candidates, const RunRequest& request) {
+  const auto agrees = [&request](const RunRequest& other) {
+    return sizing_text(other.sizing) == sizing_text(request.sizing) && other.sizing.floor == request.sizing.floor &&
+           other.reference_k == request.reference_k && other.seed == request.seed && other.repeat == request.repeat;
+  };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), agrees);
+  return found == candidates.end() ? nullptr : &*found;
+}
+
+// Says of each run to which other it is to be matched; runs that are themselves what others are matched to stay free.
+void match_rows(const Config& config, const std::string& dataset, const MethodEntry& entry, const Change& change,
+                std::vector<RunRequest>& runs) {
+  if (!config.match) return;
+  const MethodEntry& reference =
+      *std::find_if(config.methods.begin(), config.methods.end(),
+                    [&config](const MethodEntry& candidate) { return candidate.label == config.match->to; });
+  // What varies the sizing varies a whole row; what varies a method leaves the row with its base.
+  const bool of_method = change.of("method");
+  if (&reference == &entry && !of_method) return;
+  const std::vector<RunRequest> candidates = runs_of(config, dataset, reference, of_method ? Change{} : change);
+  for (RunRequest& request : runs) {
+    const RunRequest* other = same_row(candidates, request);
+    if (other == nullptr) {
+      throw UsageError(config.match->place,
+                       fmt::format("'{}' on {} at {} has no run of '{}' at the same sizing to be matched to; let no "
+                                   "[[override]] set them apart",
+                                   request.label, dataset, sizing_text(request.sizing), config.match->to));
+    }
+    request.match_to = other->run;
+    request.run = run_name(request);
+  }
+}
+
 // By run: the label that asks for it.
 using Seen = std::map<std::string, std::string>;
 
@@ -193,7 +227,8 @@ std::vector<RunRequest> make_plan(const Config& config) {
   for (const std::string& dataset : config.datasets) {
     for (const MethodEntry& entry : config.methods) {
       for (const Change& change : changes(config, entry)) {
-        const std::vector<RunRequest> runs = runs_of(config, dataset, entry, change);
+        std::vector<RunRequest> runs = runs_of(config, dataset, entry, change);
+        match_rows(config, dataset, entry, change, runs);
         if (change.variation == nullptr)
           add_base(runs, seen, plan);
         else
@@ -208,9 +243,9 @@ std::string result_key(const RunRequest& r) {
   std::string key =
       fmt::format("dataset {} {}\nmethod {} {}\n", r.dataset, r.dataset_checksum, r.method, r.method_revision);
   for (const auto& [name, value] : r.parameters) key += fmt::format("{} = {}\n", name, to_string(value));
-  key += fmt::format("epsilon {} delta {} floor {} edge_length {} vertices {} scale {}\n", text(r.sizing.epsilon),
-                     text(r.sizing.delta), r.sizing.floor, text(r.sizing.edge_length), text(r.sizing.vertices),
-                     r.match_scale);
+  key += fmt::format("epsilon {} delta {} floor {} edge_length {} vertices {}\n", text(r.sizing.epsilon),
+                     text(r.sizing.delta), r.sizing.floor, text(r.sizing.edge_length), text(r.sizing.vertices));
+  if (!r.match_to.empty()) key += fmt::format("match {}\n", r.match_to);
   key += fmt::format("seed {}\nreference {}\nmetrics {}\n", r.seed, r.reference_k, r.metrics_revision);
   if (r.repeat > 1) key += fmt::format("repeat {}\n", r.repeat);
   return key;

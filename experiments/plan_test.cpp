@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "datasets/test_folder.h"
@@ -179,7 +180,7 @@ TEST(RunName, HashesAllThatDeterminesTheResultAndNothingElse) {
       [](RunRequest& r) { r.parameters["finish"] = false; },
       [](RunRequest& r) { r.sizing.epsilon = 0.5000000000000001; },
       [](RunRequest& r) { r.sizing.floor = 0.4; },
-      [](RunRequest& r) { r.match_scale = 1.01; },
+      [](RunRequest& r) { r.match_to = "sphere-particles-l2-s1-00000000"; },
       [](RunRequest& r) { r.seed = 2; },
       [](RunRequest& r) { r.repeat = 2; },
       [](RunRequest& r) { r.reference_k = 3; },
@@ -197,6 +198,58 @@ TEST(RunName, HashesAllThatDeterminesTheResultAndNothingElse) {
   same.limit_minutes = 1.0;
   same.alone = true;
   EXPECT_EQ(run_name(same), run_name(sample()));
+}
+
+const char* const matched = R"(dataset = ["torus", "sphere"]
+seed = [1, 2]
+match = "vertices"
+match_to = "best"
+[sampling]
+epsilon = [0.5, 0.75]
+delta = 0.3
+[[method]]
+name = "marching-cubes"
+[[method]]
+name = "particles"
+label = "best"
+[[method]]
+name = "particles"
+sweeps = 5
+)";
+
+TEST(Plan, MatchesEveryOtherRunOfARow) {
+  const std::vector<RunRequest> plan = plan_of(matched);
+  ASSERT_EQ(plan.size(), 2U * 2U * 3U * 2U);
+  std::map<std::string, const RunRequest*> by_name;
+  for (const RunRequest& request : plan) by_name[request.run] = &request;
+  ASSERT_EQ(by_name.size(), plan.size());
+  for (const RunRequest& request : plan) {
+    EXPECT_EQ(request.match_to.empty(), request.label == "best") << request.run;
+    if (request.match_to.empty()) continue;
+    const RunRequest& other = *by_name.at(request.match_to);
+    EXPECT_EQ(other.label, "best");
+    EXPECT_EQ(other.dataset, request.dataset);
+    EXPECT_EQ(other.sizing.epsilon, request.sizing.epsilon);
+    EXPECT_EQ(other.seed, request.seed);
+  }
+}
+
+TEST(Plan, AblationsAreMatchedToTheBaseOfTheirRow) {
+  const std::string vary = R"([[vary]]
+key = "method.best.sweeps"
+values = [7]
+[[vary]]
+key = "sampling.delta"
+values = [0.1]
+)";
+  for (const RunRequest& request : plan_of(matched + vary)) {
+    if (request.label == "best sweeps=7") {
+      EXPECT_NE(request.match_to.find("-d0.3-"), std::string::npos) << request.match_to;
+    }
+    if (request.sizing.delta == 0.1 && request.label != "best") {
+      EXPECT_NE(request.match_to.find("-d0.1-"), std::string::npos) << request.match_to;
+    }
+  }
 }
 
 TEST(Plan, OnlySelectsByDatasetAndLabelOrRun) {

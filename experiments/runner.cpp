@@ -5,7 +5,10 @@
 #include <csignal>
 #include <deque>
 #include <fstream>
+#include <list>
+#include <map>
 #include <memory>
+#include <set>
 #include <thread>
 
 #include "experiments/cell.h"
@@ -78,8 +81,8 @@ std::string limit_exceeded(const Active& active, Status& status) {
     return fmt::format("not finished after {} minutes", *request.limit_minutes);
   }
   if (request.limit_memory_gb && active.child.peak_memory_gb() > *request.limit_memory_gb) {
-    status = Status::failed;
-    return fmt::format("out of memory: needed more than {} GB", *request.limit_memory_gb);
+    status = Status::out_of_memory;
+    return fmt::format("needed more than {} GB", *request.limit_memory_gb);
   }
   return "";
 }
@@ -98,9 +101,13 @@ class Runner {
 
   RunSummary run(const std::vector<RunRequest>& cells) {
     const SignalGuard guard;
-    std::size_t next = 0;
-    while (stop_signal == 0 && (next < cells.size() || !active_.empty())) {
-      while (stop_signal == 0 && next < cells.size() && room_for(cells[next]) && start(cells[next])) ++next;
+    for (const RunRequest& request : cells) {
+      requests_.emplace(request.run, &request);
+      unfinished_.insert(request.run);
+      waiting_.push_back(&request);
+    }
+    while (stop_signal == 0 && (!waiting_.empty() || !active_.empty())) {
+      start_what_can();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       for (std::size_t i = 0; i < active_.size() && stop_signal == 0;) {
         if (step(*active_[i]))
@@ -117,6 +124,19 @@ class Runner {
   }
 
  private:
+  // In their order, but for those that wait for the run that they are matched to.
+  void start_what_can() {
+    for (auto request = waiting_.begin(); request != waiting_.end() && stop_signal == 0;) {
+      if (!room_for(**request)) return;
+      if (waits_for_match(**request)) {
+        ++request;
+        continue;
+      }
+      if (!start(**request)) return;
+      request = waiting_.erase(request);
+    }
+  }
+
   // A timed run has the machine to itself, as far as this program goes.
   bool room_for(const RunRequest& request) const {
     if (active_.empty()) return true;
@@ -124,11 +144,37 @@ class Runner {
     return active_.size() < static_cast<std::size_t>(options_.jobs);
   }
 
+  // Whether the run that this one is matched to is still to come, here or in another process.
+  bool waits_for_match(const RunRequest& request) {
+    if (request.match_to.empty()) return false;
+    if (unfinished_.count(request.match_to) > 0) return true;
+    const auto other = requests_.find(request.match_to);
+    if (other == requests_.end() || run_state(store_.folder(), *other->second) != RunState::elsewhere) return false;
+    console_.update(request.run + ": waits for another process, which is at " + request.match_to, -1.0);
+    return true;
+  }
+
+  // The number of vertices to match; std::nullopt where the other run has no mesh.
+  std::optional<double> match_vertices(const RunRequest& request) const {
+    const fs::path path = store_.folder() / request.match_to / "run.json";
+    if (!fs::exists(path)) return std::nullopt;
+    try {
+      const RunRecord record = read_record(path);
+      if (record.measurement) return static_cast<double>(record.measurement->vertices);
+    } catch (const DataError&) {  // damaged: as good as none
+    }
+    return std::nullopt;
+  }
+
+  std::string title_of(const RunRequest& request) const {
+    const std::string repeat = request.repeat > 1 ? fmt::format(" r{}", request.repeat) : "";
+    return fmt::format("[{}/{}] {}/{} {} s{}{}", started_ + 1, total_, request.dataset, request.label,
+                       sizing_text(request.sizing), request.seed, repeat);
+  }
+
   // True once it is under way, or need not be; false where it has to wait for another process.
   bool start(const RunRequest& request) {
-    const std::string repeat = request.repeat > 1 ? fmt::format(" r{}", request.repeat) : "";
-    const std::string title = fmt::format("[{}/{}] {}/{} {} s{}{}", started_ + 1, total_, request.dataset,
-                                          request.label, sizing_text(request.sizing), request.seed, repeat);
+    const std::string title = title_of(request);
     const bool timed = request.alone && (options_.force || store_.state(request) != RunState::done);
     std::optional<FileLock> quiet = timed ? store_.claim_quiet() : std::nullopt;
     if (timed && !quiet) {
@@ -136,29 +182,54 @@ class Runner {
       return false;
     }
     ++started_;
-    if (!options_.force && store_.state(request) == RunState::done) {
-      ++summary_.reused;
-      console_.detail(title + ": done before");
-      return true;
-    }
+    if (reuse(request, title)) return true;
     std::optional<Claim> claim = store_.claim(request);
     if (!claim) {
       ++summary_.elsewhere;
+      unfinished_.erase(request.run);
       console_.line(title + ": left to another process that is at it");
       return true;
     }
     // Between looking and claiming another process may have finished it.
-    if (!options_.force && store_.state(request) == RunState::done) {
-      ++summary_.reused;
+    if (reuse(request, title)) return true;
+    const std::optional<double> vertices = match_vertices(request);
+    if (!request.match_to.empty() && !vertices) {
+      store_without_reference(request, title, std::move(*claim));
       return true;
     }
-    Child child({options_.program.string(), "cell", "--plan", (store_.folder() / "plan.json").string(), "--run",
-                 request.run, "--folder", claim->folder().string(), "--threads", std::to_string(options_.threads)},
-                claim->folder() / "log.txt");
+    std::vector<std::string> command = {options_.program.string(),
+                                        "cell",
+                                        "--plan",
+                                        (store_.folder() / "plan.json").string(),
+                                        "--run",
+                                        request.run,
+                                        "--folder",
+                                        claim->folder().string(),
+                                        "--threads",
+                                        std::to_string(options_.threads)};
+    if (vertices) command.insert(command.end(), {"--match-vertices", fmt::format("{}", *vertices)});
+    Child child(std::move(command), claim->folder() / "log.txt");
     console_.detail(title + ": started");
     active_.push_back(
         std::make_unique<Active>(Active{request, title, std::move(quiet), std::move(*claim), std::move(child)}));
     return true;
+  }
+
+  bool reuse(const RunRequest& request, const std::string& title) {
+    if (options_.force || store_.state(request) != RunState::done) return false;
+    ++summary_.reused;
+    unfinished_.erase(request.run);
+    console_.detail(title + ": done before");
+    return true;
+  }
+
+  // Nothing to match it to: failed, so that it is tried again once there is.
+  void store_without_reference(const RunRequest& request, const std::string& title, Claim claim) {
+    RunRecord record = begin_record(request, 0);
+    record.reason = "cannot be matched: " + request.match_to + " has no mesh";
+    write_record(record, claim.folder() / "run.json");
+    claim.commit();
+    conclude(record, title, 0.0);
   }
 
   // True once the run is over and stored.
@@ -189,6 +260,12 @@ class Runner {
       write_record(record, active.claim.folder() / "run.json");
     }
     active.claim.commit();
+    conclude(record, active.title, seconds);
+  }
+
+  // A run that is stored now: counted and said.
+  void conclude(const RunRecord& record, const std::string& title, double seconds) {
+    unfinished_.erase(record.request.run);
     const bool fine = record.status == Status::ok || record.status == Status::skipped;
     if (record.status == Status::ok)
       ++summary_.ok;
@@ -197,7 +274,7 @@ class Runner {
     else
       ++summary_.failed;
     const std::string word = fine ? console_.good(to_string(record.status)) : console_.bad(to_string(record.status));
-    console_.line(fmt::format("{}: {}{}, {:.1f} s", active.title, word,
+    console_.line(fmt::format("{}: {}{}, {:.1f} s", title, word,
                               record.reason.empty() ? "" : " (" + record.reason + ")", seconds));
   }
 
@@ -216,6 +293,9 @@ class Runner {
   Console& console_;
   std::size_t total_;
   std::size_t started_ = 0;
+  std::map<std::string, const RunRequest*> requests_;  // by name
+  std::set<std::string> unfinished_;                   // those that are waiting or active here
+  std::list<const RunRequest*> waiting_;
   RunSummary summary_;
   std::vector<std::unique_ptr<Active>> active_;
 };

@@ -20,15 +20,15 @@ struct RunOptions {
 struct RunSummary {
   int ok = 0;
   int skipped = 0;
-  int failed = 0;     ///< and timeouts
+  int failed = 0;     ///< and those that ran out of time or memory
   int data = 0;       ///< of `failed`, those for want of usable data
   int reused = 0;     ///< done before
   int elsewhere = 0;  ///< being done by another process
   bool interrupted = false;
 };
 
-/// Runs what is not done yet. A crash, a hang or a memory hog costs only its own run, which is recorded as failed or
-/// timeout. SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and set `interrupted`.
+/// Runs what is not done yet. A crash, a hang or a memory hog costs only its own run, which is recorded as such.
+/// SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and set `interrupted`.
 RunSummary run_cells(const Store& store, const std::vector<RunRequest>& cells, const RunOptions& options,
                      Console& console);
 

@@ -123,8 +123,8 @@ TEST(Runner, LimitsStopHangsAndMemoryHogs) {
       run_program(folder.path(), {"run", "hog.toml", "--only", "slab/*"}, {{"ISOBENCH_TEST_FAULT", "memory:slab/*"}});
   EXPECT_EQ(hog.code, 1);
   const RunRecord starved = record_of(folder.path() / "results" / "hog", "slab");
-  EXPECT_EQ(starved.status, Status::failed);
-  EXPECT_EQ(starved.reason, "out of memory: needed more than 0.5 GB");
+  EXPECT_EQ(starved.status, Status::out_of_memory);
+  EXPECT_EQ(starved.reason, "needed more than 0.5 GB");
 }
 
 TEST(Runner, AfterSigkillItContinuesWithNothingHalfDone) {

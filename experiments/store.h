@@ -53,7 +53,7 @@ class Claim {
 
 enum class RunState {
   missing,    ///< never run, or its record is damaged or of something else
-  retry,      ///< failed or out of time
+  retry,      ///< failed, or out of time or memory
   done,       ///< ok or skipped
   elsewhere,  ///< not done, but another process is at it
 };

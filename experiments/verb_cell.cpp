@@ -23,11 +23,14 @@ RunRequest planned(const CellArguments& arguments) {
 int cell_verb(const CellArguments& arguments, const CommonArguments&) {
   std::signal(SIGPIPE, SIG_IGN);  // losing the reader of the progress is no reason to die
   const RunRequest request = planned(arguments);
+  if (request.match_to.empty() == arguments.match_vertices.has_value()) {
+    throw UsageError("--match-vertices is for runs that are matched to another, and for all of these");
+  }
   inject_fault(request);
   PipeSink sink(arguments.progress_fd);
   Monitor monitor(&sink);
   const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return run_cell(request, arguments.folder, static_cast<int>(threads), monitor).exit_code;
+  return run_cell(request, arguments.match_vertices, arguments.folder, static_cast<int>(threads), monitor).exit_code;
 }
 
 }  // namespace isobench

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "experiments/plan.h"
 #include "experiments/runner.h"
@@ -15,10 +17,14 @@ namespace {
 std::vector<RunRequest> selection(const std::vector<RunRequest>& plan, const std::string& glob) {
   std::vector<RunRequest> chosen;
   std::vector<std::string> names;
+  std::set<std::string> needed;
   for (const RunRequest& request : plan) {
     names.push_back(request.dataset + "/" + request.label);
-    if (selected(request, glob)) chosen.push_back(request);
+    if (selected(request, glob)) needed.insert({request.run, request.match_to});
   }
+  // What is matched to another run needs that one, selected or not.
+  std::copy_if(plan.begin(), plan.end(), std::back_inserter(chosen),
+               [&needed](const RunRequest& request) { return needed.count(request.run) > 0; });
   if (chosen.empty())
     throw UsageError("--only '" + glob + "' names no run of this experiment" + suggestion(glob, names));
   return chosen;

@@ -77,6 +77,7 @@ struct CellArguments {
   std::filesystem::path plan;
   std::string run;
   std::filesystem::path folder;
+  std::optional<double> match_vertices;  ///< of a run with match_to
   int progress_fd = -1;
 };
 /// Hidden: one run of a plan, started by `run` as a child process.

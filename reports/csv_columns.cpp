@@ -25,11 +25,13 @@ std::vector<CsvColumn> asked_columns() {
       {"edge_length", "mm",
        "Uniform sizing: the edge length asked for or, where a number of vertices was, that which it came to; else "
        "empty."},
-      {"match_scale", "", "Factor that matching put on the sizing; 1 where nothing was matched."},
+      {"match_scale", "", "Factor that matching put on the edge lengths asked for; 1 where nothing was matched."},
       {"seed", "", "Of everything random."},
       {"status", "",
-       "ok; failed: an error, a crash or too much memory; timeout: stopped at its limit; skipped: the method cannot "
-       "do this task, by its own word. Figures and costs are empty where it is not ok."},
+       "ok; failed: an error or a crash; timeout: stopped at its limit of minutes; out of memory: stopped at its limit "
+       "of memory, or an allocation failed; skipped: the method cannot do this task, by its own word. Figures and "
+       "costs "
+       "are empty where it is not ok."},
       {"reason", "", "Why the status is not ok; else empty."}};
 }
 
@@ -45,7 +47,10 @@ std::vector<CsvColumn> cost_columns() {
        "Largest memory that the run's process had resident up to the finished mesh; 1 MB is "
        "1,000,000 bytes."},
       {"repeat", "", "Which of several runs of one cell, made for their seconds, this is; counts from 1."},
-      {"mesh_checksum", "", "Checksum of the finished mesh: the same for meshes that agree bit for bit."}};
+      {"mesh_checksum", "", "Checksum of the finished mesh: the same for meshes that agree bit for bit."},
+      {"match_to", "", "The run whose number of vertices this one was brought to; else empty."},
+      {"match_vertices", "", "That number; else empty."},
+      {"match_reason", "", "Why the number of vertices is not within 2 % of it; empty where it is."}};
 }
 
 CsvColumn figure_column(const std::string& name) {

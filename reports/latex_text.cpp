@@ -29,6 +29,7 @@ const std::map<std::string, std::string>& replacements() {
                                                          {"·", "$\\cdot$"},
                                                          {"°", "$^\\circ$"},
                                                          {"†", "$^\\dagger$"},
+                                                         {"‡", "$^\\ddagger$"},
                                                          {"≥", "$\\ge$"},
                                                          {"≤", "$\\le$"},
                                                          {"∇", "$\\nabla$"},

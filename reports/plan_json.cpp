@@ -41,7 +41,7 @@ Json request_to_json(const RunRequest& r) {
           {"floor_voxels", number(r.sizing.floor)},
           {"edge_length", number(r.sizing.edge_length)},
           {"vertices", number(r.sizing.vertices)},
-          {"match_scale", number(r.match_scale)},
+          {"match_to", r.match_to},
           {"seed", r.seed},
           {"repeat", r.repeat},
           {"alone", r.alone},
@@ -65,7 +65,7 @@ RunRequest request_from_json(const Json& json) {
   r.sizing.floor = json.at("floor_voxels").get<double>();
   r.sizing.edge_length = optional_number(json.at("edge_length"));
   r.sizing.vertices = optional_number(json.at("vertices"));
-  r.match_scale = json.at("match_scale").get<double>();
+  r.match_to = json.value("match_to", "");  // plans of before there was matching have none
   r.seed = json.at("seed").get<std::uint64_t>();
   r.repeat = json.value("repeat", 1);  // plans of before there were repeats have none
   r.alone = json.value("alone", false);

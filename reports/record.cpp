@@ -15,6 +15,8 @@ std::string to_string(Status status) {
       return "failed";
     case Status::timeout:
       return "timeout";
+    case Status::out_of_memory:
+      return "out of memory";
     case Status::skipped:
       return "skipped";
   }

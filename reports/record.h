@@ -27,7 +27,7 @@ struct RunRequest {
   std::string label;                                 ///< tells apart two entries of one method
   std::map<std::string, ParameterValue> parameters;  ///< complete: every parameter of the method
   SizingRequest sizing;
-  double match_scale = 1.0;  ///< factor that matching has put on the sizing
+  std::string match_to;  ///< the run whose number of vertices this one is brought to; "" where none is
   std::uint64_t seed = 1;
   int repeat = 1;                         ///< which of several runs of one cell, for their seconds
   bool alone = false;                     ///< its seconds count: nothing else of its experiment runs beside it
@@ -39,10 +39,12 @@ struct RunRequest {
 
 enum class Status {
   ok,
-  failed,   ///< an error, a crash or too much memory
-  timeout,  ///< stopped at its limit
-  skipped,  ///< the method cannot do this task, by its own word
+  failed,         ///< an error or a crash
+  timeout,        ///< stopped at its limit of minutes
+  out_of_memory,  ///< stopped at its limit of memory, or an allocation failed
+  skipped,        ///< the method cannot do this task, by its own word
 };
+/// "ok", "failed", "timeout", "out of memory", "skipped".
 std::string to_string(Status status);
 
 /// The dataset as it was meshed.
@@ -54,6 +56,14 @@ struct DatasetRecord {
   double isovalue = 0.0;
   std::string inside;  ///< "above" or "below"
   std::string kernel;  ///< as to_string(Kernel) names it
+};
+
+/// What matching came to. The mesh is measured against the sizing as it was asked for, not as it was scaled.
+struct MatchRecord {
+  double vertices = 0.0;  ///< asked for
+  double scale = 1.0;     ///< factor on the edge lengths, as scaled() puts it
+  int tries = 0;          ///< meshes made on the way; seconds and memory are those of the one that was kept
+  std::string reason;     ///< why the number could not be reached; "" where it was
 };
 
 /// The sizing that came out of the request, mm.
@@ -83,6 +93,7 @@ struct RunRecord {
   Environment environment;
 
   std::optional<DatasetRecord> dataset;  ///< where the run came as far as loading it
+  std::optional<MatchRecord> match;      ///< exactly where the request has match_to and the status is ok
   std::optional<SizingRecord> sizing;
   std::optional<Measurement> measurement;  ///< exactly where status is ok
   std::optional<MeasuredAgain> measured_again;

@@ -126,7 +126,7 @@ void cost_from_json(const Json& json, RunRecord& record) {
 }
 
 Status status_from(const std::string& text) {
-  for (const Status status : {Status::ok, Status::failed, Status::timeout, Status::skipped}) {
+  for (const Status status : {Status::ok, Status::failed, Status::timeout, Status::out_of_memory, Status::skipped}) {
     if (to_string(status) == text) return status;
   }
   throw DataError("unknown status '" + text + "'");
@@ -142,6 +142,12 @@ Json record_to_json(const RunRecord& record) {
                {"deterministic", record.deterministic},
                {"environment", environment_to_json(record.environment)}};
   if (record.dataset) json["dataset"] = dataset_to_json(*record.dataset);
+  if (record.match) {
+    json["match"] = {{"vertices", number(record.match->vertices)},
+                     {"scale", number(record.match->scale)},
+                     {"tries", record.match->tries},
+                     {"reason", record.match->reason}};
+  }
   if (record.sizing) {
     json["sizing"] = {{"uniform", record.sizing->uniform},
                       {"floor", number(record.sizing->floor)},
@@ -185,6 +191,13 @@ RunRecord record_from(const Json& json) {
   record.deterministic = json.at("deterministic").get<bool>();
   record.environment = environment_from_json(json.at("environment"));
   if (json.contains("dataset")) record.dataset = dataset_from_json(json.at("dataset"));
+  if (json.contains("match")) {
+    const Json& match = json.at("match");
+    read(match.at("vertices"), record.match.emplace().vertices);
+    read(match.at("scale"), record.match->scale);
+    record.match->tries = match.at("tries").get<int>();
+    record.match->reason = match.at("reason").get<std::string>();
+  }
   if (json.contains("sizing")) {
     const Json& sizing = json.at("sizing");
     record.sizing.emplace().uniform = sizing.at("uniform").get<bool>();

@@ -14,7 +14,9 @@ namespace isobench {
 namespace {
 
 TEST(Record, ComesBackWhole) {
-  const RunRecord record = sample_record("skull", "particles", "best");
+  RunRecord record = sample_record("skull", "particles", "best");
+  record.request.match_to = "skull-cvt";
+  record.match = MatchRecord{1010.0, 0.75, 3, "none"};
   const std::string text = to_json(record);
   const RunRecord back = record_from_json(text, "test");
   EXPECT_EQ(to_json(back), text);  // what one direction forgets, the other cannot give back
@@ -29,6 +31,12 @@ TEST(Record, ComesBackWhole) {
   EXPECT_EQ(back.measurement->valence.counts, record.measurement->valence.counts);
   EXPECT_EQ(back.measurement->reference.euler, -12);
   EXPECT_EQ(back.mesh_checksum, "c0ffee");
+  ASSERT_TRUE(back.match.has_value());
+  EXPECT_EQ(back.match->vertices, 1010.0);
+  EXPECT_EQ(back.match->scale, 0.75);
+  EXPECT_EQ(back.match->tries, 3);
+  EXPECT_EQ(back.match->reason, "none");
+  EXPECT_EQ(back.request.match_to, "skull-cvt");
   ASSERT_TRUE(back.measured_again.has_value());
   EXPECT_EQ(back.measured_again->commit, "fedcba");
   EXPECT_EQ(back.stages.size(), 2U);

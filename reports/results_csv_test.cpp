@@ -53,7 +53,7 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "edge_over_h0_max,edge_over_h0_exceed_percent,edge_over_h0_exceed_count,floor_area_percent,components,"
             "components_reference,euler,euler_reference,reference_k,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
-            "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum");
+            "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason");
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {
@@ -87,9 +87,14 @@ TEST(ResultsCsv, IsUnroundedAndQuoted) {
 }
 
 TEST(ResultsCsv, EveryFigureOfAFinishedRunIsThere) {
-  const std::map<std::string, std::string> values = row(sample_record("skull", "particles"));
+  RunRecord record = sample_record("skull", "particles");
+  record.request.match_to = "skull-cvt";
+  record.match = MatchRecord{1010.0, 0.75, 2, ""};
+  const std::map<std::string, std::string> values = row(record);
+  EXPECT_EQ(values.at("match_scale"), "0.75");
+  EXPECT_EQ(values.at("match_vertices"), "1010");
   for (const auto& [name, value] : values) {
-    if (name == "reason" || name == "edge_length") continue;
+    if (name == "reason" || name == "edge_length" || name == "match_reason") continue;
     EXPECT_NE(value, "") << name;
   }
 }

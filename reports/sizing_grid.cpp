@@ -53,7 +53,7 @@ const std::vector<Row>& rows() {
 TableCell cell_of(const Runs& runs, const Row& row, bool first) {
   if (runs.empty()) return "not run";
   if (finished(runs).empty()) return first ? instead_of_figures(runs.front()) : "–";
-  return with_mark(over(runs, row.figure, row.print), first ? dagger(finished(runs)) : "");
+  return with_mark(over(runs, row.figure, row.print), first ? marks(runs) : "");
 }
 
 Table table_of(const SizingGrid& grid) {

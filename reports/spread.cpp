@@ -20,6 +20,15 @@ Runs finished(const Runs& runs) {
   return result;
 }
 
+bool sound(const RunRecord& run) { return run.measurement && run.measurement->topology.closed_manifold(); }
+
+Runs gated(const Runs& runs) {
+  Runs result = finished(runs);
+  const auto unsound = [](const RunRecord* run) { return !sound(*run); };
+  if (!std::all_of(result.begin(), result.end(), unsound)) std::erase_if(result, unsound);
+  return result;
+}
+
 Spread spread_of(std::vector<double> values) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) {
@@ -49,7 +58,7 @@ Print to_significant(int digits) { return {Print::Digits::significant, digits}; 
 Print to_places(int places) { return {Print::Digits::places, places}; }
 Print as_number() { return {}; }
 
-std::string spread_label(const Runs& runs) {
+std::string spread_label(const Runs& runs, bool gate) {
   if (runs.size() < 2) return "";
   std::set<std::uint64_t> seeds;
   std::set<int> repeats;
@@ -65,6 +74,8 @@ std::string spread_label(const Runs& runs) {
   std::string text = fmt::format("{}", fmt::join(words, " × "));
   for (const auto& [status, count] : unfinished)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
+  const std::size_t left_out = finished(runs).size() - gated(runs).size();
+  if (left_out > 0) text += fmt::format("{}{} †{}", text.empty() ? "" : ", ", left_out, gate ? " left out" : "");
   return text.empty() ? "" : " (" + text + ")";
 }
 

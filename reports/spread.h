@@ -14,6 +14,11 @@ using Runs = std::vector<const RunRecord*>;
 
 /// The runs with figures.
 Runs finished(const Runs& runs);
+/// Whether a run's mesh is closed and manifold; false where it has none.
+bool sound(const RunRecord& run);
+/// The runs whose figures may stand for all: of the finished ones those whose meshes are closed and manifold or, where
+/// none is, all of them. A mean over both would be of neither.
+Runs gated(const Runs& runs);
 
 struct Spread {
   double median = 0.0;  ///< mean of the two middle ones where their number is even
@@ -38,8 +43,9 @@ Print to_significant(int digits);
 Print to_places(int places);
 Print as_number();
 
-/// " (3 seeds)", " (5 repeats, 1 timeout)"; "" for a single run.
-std::string spread_label(const Runs& runs);
+/// " (3 seeds)", " (5 repeats, 1 timeout)", " (9 seeds, 2 † left out)"; "" for a single run.
+/// Without the gate, for figures over all finished runs, the last reads " (9 seeds, 2 †)".
+std::string spread_label(const Runs& runs, bool gate = true);
 
 /// How many different meshes the finished runs of one seed gave: 1 where repeats agree bit for bit, 0 where no seed was
 /// repeated; the largest number over the seeds.

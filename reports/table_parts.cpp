@@ -26,12 +26,23 @@ std::string shortened(const std::string& reason) {
 
 }  // namespace
 
-std::string dagger(const RunRecord& record) {
-  return record.measurement && !record.measurement->topology.closed_manifold() ? " †" : "";
+std::string dagger(const RunRecord& record) { return record.measurement && !sound(record) ? " †" : ""; }
+
+std::string marks(const RunRecord& record) {
+  const bool unmatched = record.match && !record.match->reason.empty();
+  const std::string open = dagger(record);
+  return unmatched ? (open.empty() ? " ‡" : open + "‡") : open;
 }
 
-std::string dagger(const Runs& runs) {
-  return std::any_of(runs.begin(), runs.end(), [](const RunRecord* run) { return !dagger(*run).empty(); }) ? " †" : "";
+std::string marks(const Runs& runs) {
+  std::string all;
+  for (const char* mark : {"†", "‡"}) {
+    const Runs shown = gated(runs);
+    const bool any = std::any_of(shown.begin(), shown.end(),
+                                 [mark](const RunRecord* run) { return marks(*run).find(mark) != std::string::npos; });
+    if (any) all += mark;
+  }
+  return all.empty() ? "" : " " + all;
 }
 
 TableCell instead_of_figures(const RunRecord* record) {
@@ -42,12 +53,16 @@ TableCell instead_of_figures(const RunRecord* record) {
   return cell;
 }
 
-TableCell over(const Runs& runs, const Figure& figure, const Print& print) {
+TableCell over_all(const Runs& runs, const Figure& figure, const Print& print) {
   std::vector<double> values;
   for (const RunRecord* run : finished(runs)) values.push_back(figure(*run));
   TableCell cell;
   cell.figures.push_back({spread_of(std::move(values)), print});
   return cell;
+}
+
+TableCell over(const Runs& runs, const Figure& figure, const Print& print) {
+  return over_all(gated(runs), figure, print);
 }
 
 TableCell beside(TableCell cell, const TableCell& next) {

@@ -10,15 +10,20 @@
 
 namespace isobench {
 
-/// "†" for a mesh that is not closed and manifold, else "".
+/// " †" for a mesh that is not closed and manifold, else "".
 std::string dagger(const RunRecord& record);
-/// "†" where one of the meshes is not.
-std::string dagger(const Runs& runs);
+/// What has to be known of a mesh before its figures are believed: " †" as above, " ‡" for a number of vertices that
+/// could not be matched, " †‡"; else "".
+std::string marks(const RunRecord& record);
+/// Of the runs whose figures are shown (gated()), all marks that one of them has.
+std::string marks(const Runs& runs);
 /// What stands in the place of figures: "not run", "timeout: not finished after 20 minutes"; empty where the run is ok.
 TableCell instead_of_figures(const RunRecord* record);
 
-/// One figure over runs of which at least one is finished, ready for a cell.
+/// One figure over runs of which at least one is finished, ready for a cell; of those that gated() lets pass.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
+/// The same over all finished runs: for what tells whether they may pass.
+TableCell over_all(const Runs& runs, const Figure& figure, const Print& print);
 /// "a / b" in one cell.
 TableCell beside(TableCell cell, const TableCell& next);
 

@@ -19,8 +19,10 @@ struct Column {
   Print print;
 };
 
-// A table of one row a dataset and variant; several seeds or repeats give the median and the range.
-Table table_of_runs(const Arrangement& runs, const std::string& title, const std::vector<Column>& columns) {
+// A table of one row a dataset and variant; several seeds or repeats give the median and the range, of those that
+// gated() lets pass or of all that finished.
+Table table_of_runs(const Arrangement& runs, const std::string& title, const std::vector<Column>& columns,
+                    bool gate = true) {
   Table table;
   table.title = title;
   table.header = {"Data", "Method"};
@@ -31,9 +33,11 @@ Table table_of_runs(const Arrangement& runs, const std::string& title, const std
       if (group.empty()) continue;
       const RunRecord* record = find_run(variant, dataset);
       const bool ok = record->status == Status::ok;
-      TableRow row = {dataset, variant.name + spread_label(group) + dagger(group)};
+      TableRow row = {dataset, variant.name + spread_label(group, gate) + marks(group)};
       for (const Column& column : columns) {
-        row.push_back(ok ? over(group, column.figure, column.print) : TableCell("–"));
+        row.push_back(!ok    ? TableCell("–")
+                      : gate ? over(group, column.figure, column.print)
+                             : over_all(group, column.figure, column.print));
       }
       if (!ok) row[2] = instead_of_figures(record);
       table.rows.push_back(std::move(row));
@@ -81,7 +85,12 @@ std::string footnotes(const Results& results) {
     return std::any_of(results.records.begin(), results.records.end(), test);
   };
   if (any([](const RunRecord& record) { return !dagger(record).empty(); })) {
-    text += "† not a closed manifold: see boundary edges, pinches and misoriented edges in the topology table.\n";
+    text +=
+        "† not a closed manifold: see boundary edges, pinches and misoriented edges in the topology table. Medians and "
+        "averages are over closed manifolds alone where there are any; what they leave out is said beside them.\n";
+  }
+  if (any([](const RunRecord& record) { return record.match && !record.match->reason.empty(); })) {
+    text += "‡ not of the number of vertices that it was to be matched to: see the table of matches.\n";
   }
   if (any([](const RunRecord& record) { return !record.deterministic; })) {
     std::set<std::string> names;
@@ -130,7 +139,8 @@ Table topology_table(const Arrangement& runs) {
        whole("boundary edges", [](const M& m) { return m.topology.boundary_edges; }),
        whole("pinches", [](const M& m) { return m.topology.nonmanifold_edges + m.topology.nonmanifold_vertices; }),
        whole("misoriented edges", [](const M& m) { return m.topology.misoriented_edges; }),
-       whole("self-intersections", [](const M& m) { return m.topology.self_intersections; })});
+       whole("self-intersections", [](const M& m) { return m.topology.self_intersections; })},
+      false);
   table.remarks = {"Pinches are non-manifold edges and vertices together."};
   table.definitions = {"components",        "components_reference", "euler",
                        "euler_reference",   "reference_k",          "boundary_edges",
@@ -182,7 +192,7 @@ Table seed_table(const Arrangement& runs) {
     for (const Variant& variant : runs.variants) {
       const Runs group = finished(find_runs(variant, dataset));
       if (group.size() < 2) continue;
-      table.rows.push_back({dataset, variant.name + spread_label(find_runs(variant, dataset)) + dagger(group),
+      table.rows.push_back({dataset, variant.name + spread_label(find_runs(variant, dataset)) + marks(group),
                             over(group, vertices, as_number()), over(group, smallest, to_significant(3)),
                             over(group, average, to_significant(4)), over(group, six, to_significant(4)),
                             over(group, seconds, to_significant(3)), sameness(group)});
@@ -200,7 +210,8 @@ std::vector<Table> all_tables(const Results& results) {
                                topology_table(runs),
                                distance_table(runs),
                                cost_table(runs),
-                               seed_table(runs)};
+                               seed_table(runs),
+                               match_table(results)};
   for (Table& grid : sizing_grid_tables(results)) tables.push_back(std::move(grid));
   std::erase_if(tables, [](const Table& table) { return table.empty(); });
   return tables;

@@ -12,8 +12,9 @@
 namespace isobench {
 
 /// All tables of a results folder. Runs that are not ok stand in their cells with status and reason; meshes that are
-/// not closed and manifold carry a dagger. Under each table stand the definitions of its figures and the published
-/// source.
+/// not closed and manifold carry a dagger and stay out of medians and averages while others are, and numbers of
+/// vertices that could not be matched a double dagger. Under each table stand the definitions of its figures and the
+/// published source.
 std::string markdown_tables(const Results& results);
 
 /// The tables of a results folder, for whatever they are to be written in; those without a row are left out.
@@ -28,5 +29,6 @@ Table topology_table(const Arrangement& runs);
 Table distance_table(const Arrangement& runs);
 Table cost_table(const Arrangement& runs);
 Table seed_table(const Arrangement& runs);  ///< spread over seeds and repeats, and whether repeats agree
+Table match_table(const Results& results);  ///< what was matched to what, and how near it came
 
 }  // namespace isobench

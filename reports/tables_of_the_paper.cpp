@@ -48,7 +48,7 @@ TableRow sizes_row(const Results& results, const Variant& variant, const std::st
   }
   row.push_back(beside_published(with_unit(over(runs, seconds, to_significant(3)), "s"), "minutes"));
   row.push_back(beside_published(over(runs, vertices, as_number()), "vertices"));
-  row.push_back(beside_published(with_mark(over(runs, triangles, as_number()), dagger(runs)), "triangles"));
+  row.push_back(beside_published(with_mark(over(runs, triangles, as_number()), marks(runs)), "triangles"));
   return row;
 }
 
@@ -61,7 +61,7 @@ TableCell ratio_cell(const Results& results, const Variant& variant, const std::
                       runs, [](const RunRecord& r) { return r.measurement->radius_ratio.min; }, to_significant(3)),
                   over(
                       runs, [](const RunRecord& r) { return r.measurement->radius_ratio.avg; }, to_places(3)));
-    cell.mark = spread_label(runs) + dagger(runs);
+    cell.mark = spread_label(runs) + marks(runs);
   }
   return with_published(std::move(cell), results, {"radius_ratio_min", "radius_ratio_avg"}, dataset, variant.method);
 }
@@ -89,9 +89,44 @@ void add_published_average(const Results& results, const std::string& method, co
       {"average", name, "–", "–", six->printed, "–", "below 5 and above 7 together: " + extreme->printed});
 }
 
-void add_valences(const Results& results, const Arrangement& runs, const Variant& variant, Table& table) {
-  std::array<double, 5> sum{};
+// The shares of a row, summed up for the average of a method over its data sets.
+struct ValenceSum {
+  std::array<double, 5> shares{};
   int count = 0;
+
+  void add(const TableRow& row) {
+    for (std::size_t i = 0; i < shares.size(); ++i) shares[i] += row[i + 2].figures.front().spread.median;
+    ++count;
+  }
+};
+
+TableRow valence_row(const std::string& dataset, const Variant& variant) {
+  const Runs& runs = find_runs(variant, dataset);
+  TableRow row = {dataset, variant.name + spread_label(runs) + marks(runs)};
+  for (const ValenceClass& valence : valence_classes()) {
+    const auto share = [&valence](const RunRecord& r) { return r.measurement->valence.*valence.share; };
+    row.push_back(over(runs, share, valence.print));
+  }
+  return row;
+}
+
+// Of closed manifolds alone or, where no mesh is one, of all, which is then marked.
+void add_average(const Variant& variant, const ValenceSum& closed, const ValenceSum& open, Table& table) {
+  const ValenceSum& sum = closed.count > 0 ? closed : open;
+  const int left_out = closed.count > 0 ? open.count : 0;
+  if (sum.count + left_out < 2) return;
+  const std::string gate = left_out > 0 ? fmt::format(", {} † left out", left_out) : "";
+  TableRow row = {fmt::format("average of {}{}", sum.count, gate), variant.name + (closed.count > 0 ? "" : " †")};
+  for (std::size_t i = 0; i < sum.shares.size(); ++i) {
+    const double mean = sum.shares[i] / sum.count;
+    row.emplace_back().figures.push_back({{mean, mean, mean}, valence_classes()[i].print});
+  }
+  table.rows.push_back(std::move(row));
+}
+
+void add_valences(const Results& results, const Arrangement& runs, const Variant& variant, Table& table) {
+  ValenceSum closed;
+  ValenceSum open;
   for (const std::string& dataset : runs.datasets) {
     const RunRecord* record = find_run(variant, dataset);
     if (record == nullptr) continue;
@@ -99,24 +134,11 @@ void add_valences(const Results& results, const Arrangement& runs, const Variant
       table.rows.push_back({dataset, variant.name, instead_of_figures(record), "–", "–", "–", "–"});
       continue;
     }
-    const Runs group = finished(find_runs(variant, dataset));
-    TableRow row = {dataset, variant.name + spread_label(find_runs(variant, dataset)) + dagger(group)};
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      const auto share = [i](const RunRecord& r) { return r.measurement->valence.*valence_classes()[i].share; };
-      row.push_back(over(group, share, valence_classes()[i].print));
-      sum[i] += row.back().figures.front().spread.median;
-    }
-    table.rows.push_back(std::move(row));
-    ++count;
+    table.rows.push_back(valence_row(dataset, variant));
+    const bool whole = sound(*gated(find_runs(variant, dataset)).front());
+    (whole ? closed : open).add(table.rows.back());
   }
-  if (count > 1) {
-    TableRow row = {fmt::format("average of {}", count), variant.name};
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      const double mean = sum[i] / count;
-      row.emplace_back().figures.push_back({{mean, mean, mean}, valence_classes()[i].print});
-    }
-    table.rows.push_back(std::move(row));
-  }
+  add_average(variant, closed, open, table);
   const PublishedMethod* printed = results.published ? results.published->method_beside(variant.method) : nullptr;
   if (printed != nullptr) add_published_average(results, variant.method, "published: " + printed->printed, table);
 }
@@ -132,7 +154,7 @@ TableRow edge_row(const Results& results, const Variant& variant, const std::str
   using R = RunRecord;
   const auto exceed_count = [](const R& r) { return static_cast<double>(r.measurement->edges.exceed_count); };
   return {dataset,
-          variant.name + spread_label(runs) + dagger(runs),
+          variant.name + spread_label(runs) + marks(runs),
           over(
               runs, [](const R& r) { return r.measurement->edges.over_h0_max; }, to_significant(4)),
           over(runs, exceed_count, as_number()),

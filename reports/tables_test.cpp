@@ -81,7 +81,8 @@ TEST(Tables, ValencesHaveTheirAverages) {
   results.records[2].measurement->valence.v6_percent = 66.0;
   const Table table = valence_table(results, arrange(results));
   EXPECT_EQ(find_row(table, {"pelvis", "particles"})[4], "64.00");
-  EXPECT_EQ(find_row(table, {"average of 2", "particles"})[4], "65.00");
+  // The skull's mesh is no closed manifold.
+  EXPECT_EQ(find_row(table, {"average of 1, 1 † left out", "particles"})[4], "64.00");
   EXPECT_EQ(find_row(table, {"average", "published: ps"})[4], "63.275");
   EXPECT_NE(find_row(table, {"average", "published: ps"})[6].find("0.7"), std::string::npos);
   EXPECT_EQ(find_row(table, {"skull", "marching-cubes"})[2], "timeout: not finished after 20 minutes");
@@ -183,11 +184,66 @@ TEST(Tables, UnfinishedRunsOfAGroupAreCountedAndLeftOut) {
   results.records[0].status = Status::timeout;
   results.records[0].measurement.reset();
   results.records[1].measurement->topology.boundary_edges = 4;
-  const auto row = find_row(sizes_table(results, arrange(results)), {"skull", "particles (3 seeds, 1 timeout)"});
-  EXPECT_EQ(row[5], "2500 (2000–3000)");
-  EXPECT_EQ(row[6], "2000 †");  // one open mesh marks the cell
-  const auto topology = find_row(topology_table(arrange(results)), {"skull", "particles (3 seeds, 1 timeout) †"});
-  EXPECT_EQ(topology[7], "2 (0–4)");
+  const std::string some = "particles (3 seeds, 1 timeout, 1 † left out)";
+  EXPECT_EQ(find_row(sizes_table(results, arrange(results)), {"skull", some})[5], "3000");
+  EXPECT_EQ(find_row(radius_ratio_table(results, arrange(results)), {"particles"})[1],
+            "0.300 / 0.945 (3 seeds, 1 timeout, 1 † left out)");
+  // The table that says what is wrong with a mesh leaves none out.
+  const Table topology = topology_table(arrange(results));
+  EXPECT_EQ(find_row(topology, {"skull", "particles (3 seeds, 1 timeout, 1 †)"})[7], "2 (0–4)");
+}
+
+TEST(Tables, WhereNoMeshIsAClosedManifoldAllCountAndAreMarked) {
+  Results results;
+  for (const std::uint64_t seed : {1, 2}) {
+    results.records.push_back(sample_record("skull", "particles"));
+    results.records.back().request.seed = seed;
+    results.records.back().measurement->vertices = 1000 * seed;
+    results.records.back().measurement->topology.nonmanifold_vertices = 1;
+  }
+  const auto row = find_row(sizes_table(results, arrange(results)), {"skull", "particles (2 seeds)"});
+  EXPECT_EQ(row[5], "1500 (1000–2000)");
+  EXPECT_EQ(row[6], "2000 †");
+}
+
+TEST(Tables, TheAverageOverDataSetsLeavesOutWhatIsNoClosedManifold) {
+  Results results;
+  const std::vector<double> shares = {60.0, 70.0, 95.0};
+  const std::vector<std::string> names = {"brain", "pelvis", "skull"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    results.records.push_back(sample_record(names[i], "particles"));
+    results.records.back().measurement->valence.v6_percent = shares[i];
+  }
+  results.records[2].measurement->topology.boundary_edges = 4;
+  const Table some = valence_table(results, arrange(results));
+  EXPECT_EQ(find_row(some, {"average of 2, 1 † left out", "particles"})[4], "65.00");
+  for (RunRecord& record : results.records) record.measurement->topology.boundary_edges = 4;
+  const Table none = valence_table(results, arrange(results));
+  EXPECT_EQ(find_row(none, {"average of 3", "particles †"})[4], "75.00");
+  for (RunRecord& record : results.records) record.measurement->topology.boundary_edges = 0;
+  const Table all = valence_table(results, arrange(results));
+  EXPECT_EQ(find_row(all, {"average of 3", "particles"})[4], "75.00");
+}
+
+TEST(Tables, SayWhatWasMatchedAndWhatCouldNotBe) {
+  Results results;
+  for (const char* method : {"particles", "cvt", "marching-cubes"}) {
+    results.records.push_back(sample_record("skull", method));
+    if (results.records.size() > 1) results.records.back().request.match_to = "skull-particles";
+  }
+  EXPECT_TRUE(match_table({}).empty());
+  results.records[1].match = MatchRecord{1000.0, 0.8765, 3, ""};
+  results.records[2].match = MatchRecord{1000.0, 1.0, 3, "its number of vertices does not follow the sizing"};
+  results.records[2].measurement->vertices = 1500;
+  const Table matches = match_table(results);
+  const auto near = find_row(matches, {"skull", "cvt, ε 0.5, δ 0.3"});
+  EXPECT_EQ(near, (std::vector<std::string>{"skull", "cvt, ε 0.5, δ 0.3", "particles", "1002", "1000", "0.20", "0.8765",
+                                            "3"}));
+  EXPECT_EQ(find_row(matches, {"skull", "marching-cubes, ε 0.5, δ 0.3"})[7],
+            "3 ‡ its number of vertices does not follow the sizing");
+  EXPECT_EQ(find_row(radius_ratio_table(results, arrange(results)), {"marching-cubes"})[1], "0.300 / 0.945 ‡");
+  EXPECT_EQ(find_row(radius_ratio_table(results, arrange(results)), {"cvt"})[1], "0.300 / 0.945");
+  EXPECT_NE(markdown_tables(results).find("‡ not of the number of vertices"), std::string::npos);
 }
 
 TEST(Tables, WithoutPublishedFiguresNothingIsClaimed) {

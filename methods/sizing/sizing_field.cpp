@@ -90,6 +90,15 @@ double area_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
+SizingRequest scaled(const SizingRequest& request, double factor) {
+  SizingRequest result = request;
+  result.floor *= factor;
+  if (result.epsilon) *result.epsilon *= factor;
+  if (result.edge_length) *result.edge_length *= factor;
+  if (result.vertices) *result.vertices /= factor * factor;
+  return result;
+}
+
 void check(const SizingRequest& request) {
   const bool adaptive = request.epsilon.has_value() || request.delta.has_value();
   const int kinds = (adaptive ? 1 : 0) + (request.edge_length ? 1 : 0) + (request.vertices ? 1 : 0);

@@ -27,6 +27,10 @@ struct SizingRequest {
 /// Throws UsageError if not exactly one kind of sizing is given, or a number is not finite and positive.
 void check(const SizingRequest& request);
 
+/// The request whose edge lengths are `factor` > 0 times this one's: h0 with its floor, at the same δ; the edge length;
+/// or the length that a number of vertices stands for, so that the number is divided by factor².
+SizingRequest scaled(const SizingRequest& request, double factor);
+
 /// The sizing of one surface, defined within two nodes of it; lengths in mm. Farther away, where a point can only
 /// belong to a mesh that missed the surface, it is the floor.
 class SizingField {
