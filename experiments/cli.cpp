@@ -49,9 +49,13 @@ void add_sizing(CLI::App& verb, SizingRequest& sizing) {
 
 void add_run(CLI::App& app, CommandLine& line) {
   CLI::App* verb = app.add_subcommand("run", "Run an experiment; what is done already is not done again");
-  verb->add_option("config", line.run.config, "TOML file, e.g. experiments/quick.toml")->required();
+  verb->add_option(
+          "config", line.run.config,
+          "TOML file, e.g. experiments/quick.toml; or a results folder, to go on with it or, with --out, to make "
+          "all of it again and compare")
+      ->required();
   verb->add_option("--only", line.run.only, "only the runs that a glob names, e.g. 'skull/*'");
-  verb->add_option("--out", line.run.out, "folder for results/<experiment>")->capture_default_str();
+  verb->add_option("--out", line.run.out, "folder for <experiment>/ (default: results)");
   verb->add_option("--set", line.run.set, "a parameter of the methods: key=value; another experiment, so give --out");
   verb->add_option("--seed", line.run.seed, "of everything random, in the place of the config's; give --out");
   verb->add_option("--jobs", line.run.jobs, "runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();

@@ -55,13 +55,33 @@ TEST_F(Compare, TwoRunsOfOneConfigDifferInNothingButSeconds) {
   EXPECT_NE(run({"compare", "a/two", "b/two", "-v"}).out.find("## Seconds"), std::string::npos);
 }
 
+TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
+  folder_.write("two.toml", cubes);
+  ASSERT_EQ(run({"run", "two.toml", "-q", "--out", "a", "--threads", "2"}).code, 0);
+  fs::rename(folder_.path() / "a" / "two", folder_.path() / "as-it-came");
+  fs::remove(folder_.path() / "two.toml");
+  const Outcome again = run({"run", "as-it-came", "--out", "mine", "--threads", "1"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_NE(again.out.find("4 runs are the same in both in all but seconds and memory"), std::string::npos)
+      << again.out;
+  EXPECT_NE(again.out.find("| threads | 2   | 1   | 4    |"), std::string::npos) << again.out;
+  EXPECT_TRUE(fs::exists(folder_.path() / "mine" / "as-it-came" / "results.csv"));
+  // Without another place it goes on with what is there.
+  const Outcome here = run({"run", "as-it-came"});
+  EXPECT_EQ(here.code, 0) << here.err;
+  EXPECT_NE(here.err.find("4 done before"), std::string::npos) << here.err;
+  const Outcome nothing = run({"run", "mine"});
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_NE(nothing.err.find("holds no results"), std::string::npos) << nothing.err;
+}
+
 TEST_F(Compare, AFigureThatDiffersIsShownAndExitsWith1) {
   run_twice(cubes);
   const fs::path record = record_in("b/two", "torus-marching-cubes");
   std::string text = text_of(record);
   const std::size_t at = text.find("\"triangles\": ");
   ASSERT_NE(at, std::string::npos);
-  text.insert(at + 13, "1");
+  text.insert(at + 13, 1, '1');
   std::ofstream(record) << text;
   fs::remove_all(record_in("b/two", "sphere-flying-edges").parent_path());
   const Outcome outcome = run({"compare", "a/two", "b/two"});

@@ -8,7 +8,9 @@
 #include "experiments/plan.h"
 #include "experiments/runner.h"
 #include "experiments/verbs.h"
+#include "reports/comparison.h"
 #include "reports/report.h"
+#include "reports/results.h"
 
 namespace isobench {
 
@@ -50,6 +52,37 @@ void print_plan(const std::filesystem::path& folder, const std::vector<RunReques
   fmt::print("{} runs in {}: {}{}\n", cells.size(), folder.string(), text, timed ? "; timed, one at a time" : "");
 }
 
+// What is to be run, and where to.
+struct Source {
+  std::filesystem::path config;
+  std::string name;  ///< of the experiment; "" where the config's file says it
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> again_of;  ///< the results folder that is made again elsewhere
+};
+
+Source source_of(const RunArguments& arguments) {
+  namespace fs = std::filesystem;
+  if (!fs::is_directory(arguments.config)) return {arguments.config, "", arguments.out.value_or("results"), {}};
+  const fs::path folder = fs::canonical(arguments.config);
+  if (!fs::exists(folder / "config.toml")) {
+    throw UsageError(arguments.config.string() +
+                     " is a folder without a config.toml, so it holds no results; give a "
+                     "config or a results folder");
+  }
+  Source source{folder / "config.toml", folder.filename().string(), arguments.out.value_or(folder.parent_path()), {}};
+  const fs::path target = source.out / source.name;
+  if (!fs::exists(target) || !fs::equivalent(target, folder)) source.again_of = folder;
+  return source;
+}
+
+std::string what_differs(const std::filesystem::path& before, const std::filesystem::path& now) {
+  Results a = load_results(before);
+  Results b = load_results(now);
+  a.name = before.string();
+  b.name = now.string();
+  return comparison_text(compare(a, b), Detail::full);
+}
+
 std::string counts(const RunSummary& summary) {
   std::string text = fmt::format("{} ok", summary.ok);
   const auto add = [&text](int count, const char* what) {
@@ -71,12 +104,14 @@ int exit_code(const RunSummary& summary) {
 }  // namespace
 
 int run_verb(const RunArguments& arguments, const CommonArguments& common) {
-  Config config = read_config(arguments.config, arguments.quick ? Size::quick : Size::full);
+  const Source source = source_of(arguments);
+  Config config = read_config(source.config, arguments.quick ? Size::quick : Size::full);
+  if (!source.name.empty()) config.name = source.name;
   for (const std::string& setting : arguments.set) set_parameter(config, setting);
   if (arguments.seed) config.seeds = {*arguments.seed};
   const std::vector<RunRequest> plan = make_plan(config);
   const std::vector<RunRequest> cells = selection(plan, arguments.only);
-  const std::filesystem::path folder = arguments.out / config.name;
+  const std::filesystem::path folder = source.out / config.name;
   if (arguments.dry_run) {
     check_folder(folder, config);
     print_plan(folder, cells, arguments.force);
@@ -97,7 +132,10 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common) {
   }
   const std::string tables = write_report(folder);
   console.line(fmt::format("{}: {}", config.name, counts(summary)));
-  if (common.verbosity != Verbosity::quiet) fmt::print("{}", tables);
+  if (common.verbosity != Verbosity::quiet) {
+    fmt::print("{}", tables);
+    if (source.again_of) fmt::print("{}", what_differs(*source.again_of, folder));
+  }
   console.line(fmt::format("written: {0}/tables.md, {0}/tables.tex, {0}/results.csv", folder.string()));
   return exit_code(summary);
 }

@@ -60,6 +60,7 @@ Leaves result_of(const Json& record) {
     for (const auto& [name, value] : inner) leaves[fmt::format("{} {}", word, name)] = value;
   }
   for (const char* key : asked_besides) leaves.erase("request " + std::string(key));
+  leaves.erase("dataset source");  // where the samples were found; what they are is in the request, as a checksum
   if (record.contains("mesh_checksum")) leaves["mesh_checksum"] = record.at("mesh_checksum");
   return leaves;
 }
@@ -71,6 +72,7 @@ Leaves circumstances_of(const Json& record) {
     if (record.at("request").contains(key)) leaves[key] = record.at("request").at(key);
   }
   for (const char* key : {"threads", "notes", "started"}) leaves[key] = record.at(key);
+  if (record.contains("dataset")) leaves["dataset source"] = record.at("dataset").at("source");
   return leaves;
 }
 

@@ -36,6 +36,7 @@ TEST(Compare, SecondsMemoryAndCircumstancesAreNoDifference) {
     record.environment.libraries["VTK"] = "9.2.0";
     record.environment.load = 3.0;
     record.notes = {"read from elsewhere"};
+    record.dataset->source = "elsewhere";
     record.request.label = "renamed";
     record.request.limit_minutes = 30.0;
   }
@@ -44,11 +45,11 @@ TEST(Compare, SecondsMemoryAndCircumstancesAreNoDifference) {
   EXPECT_EQ(comparison.matched, 2U);
   EXPECT_EQ(
       comparison_text(comparison),
-      "2 runs are the same in both in all but seconds and memory (made under another commit, label, libraries/VTK, "
-      "limit_minutes, notes).\n");
+      "2 runs are the same in both in all but seconds and memory (made under another commit, dataset source, label, libraries/VTK, "
+      "limit_minutes, notes; -v shows both).\n");
   const std::string full = comparison_text(comparison, Detail::full);
   EXPECT_NE(full.find("| 5.25   | 8.00   | 1.52  | 321"), std::string::npos) << full;
-  EXPECT_NE(full.find("| commit        | abcdef"), std::string::npos) << full;
+  EXPECT_NE(full.find("| commit         | abcdef"), std::string::npos) << full;
 }
 
 TEST(Compare, EveryFigureCounts) {

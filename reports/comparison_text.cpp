@@ -32,7 +32,7 @@ std::string verdict(const Comparison& comparison) {
   if (comparison.same()) {
     return fmt::format("{} the same in both in all but seconds and memory{}{}.\n",
                        runs + (comparison.matched == 1 ? " is" : " are"),
-                       circumstances.empty() ? "" : " (made under another " + circumstances + ")", undone);
+                       circumstances.empty() ? "" : " (made under another " + circumstances + "; -v shows both)", undone);
   }
   std::set<std::string> differing;
   for (const Difference& difference : comparison.differences) differing.insert(difference.run);
