@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "datasets/toml.h"
+#include "reports/table.h"
 
 namespace isobench {
 
@@ -72,6 +73,9 @@ ClaimResult evaluate(const PublishedClaim& claim, const Results& results);
 
 /// "ps > af > mc", "ps at most 0.008 %", "smaller epsilon, smaller distance_mean": the rule that was tested.
 std::string rule_text(const PublishedClaim& claim);
+
+/// The same as a table, a row a finding; without rows where there are none.
+Table claims_table(const Results& results);
 
 /// All claims of the published file, for tables.md; "" where there are none.
 std::string claims_section(const Results& results);

@@ -238,6 +238,9 @@ TEST(Claims, ThePapersClaimsStandUnderItsTables) {
       << text;
   EXPECT_NE(text.find("particles 0.300, marching-cubes 0.100 | ps 0.092, af 0.006, mc 0.000 |"), std::string::npos);
   EXPECT_NE(text.find("Tested: ps > af > mc of radius_ratio_min; on each data set."), std::string::npos);
+  const std::string table = markdown(claims_table(results));
+  EXPECT_NE(table.find("| particles 0.300, marching-cubes 0.100 | ps 0.092, af 0.006, mc 0.000 |"), std::string::npos)
+      << table;
   EXPECT_NE(text.find("What differs: Our h0 comes from another medial axis"), std::string::npos);
 }
 

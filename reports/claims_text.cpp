@@ -30,6 +30,26 @@ std::string claim_text(std::size_t number, const PublishedClaim& claim, const Cl
 
 }  // namespace
 
+Table claims_table(const Results& results) {
+  Table table;
+  if (!results.published) return table;
+  table.title = "Claims of " + results.published->short_source;
+  table.header = {"Claim", "Data", "Verdict", "Ours", "Published", "Tested"};
+  table.label_columns = 2;
+  std::size_t number = 0;
+  for (const PublishedClaim& claim : results.published->claims) {
+    const ClaimResult result = evaluate(claim, results);
+    ++number;
+    table.remarks.push_back(fmt::format("{}. {} {}.{}", number, claim.words, result.summary,
+                                        claim.differs.empty() ? "" : " What differs: " + claim.differs));
+    for (const Finding& finding : result.findings) {
+      table.rows.push_back({fmt::format("{}", number), finding.data, to_string(finding.verdict), or_dash(finding.ours),
+                            or_dash(finding.published), rule_text(claim)});
+    }
+  }
+  return table;
+}
+
 std::string claims_section(const Results& results) {
   if (!results.published || results.published->claims.empty()) return "";
   std::string text = heading("Claims of " + results.published->short_source);

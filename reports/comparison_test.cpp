@@ -43,10 +43,10 @@ TEST(Compare, SecondsMemoryAndCircumstancesAreNoDifference) {
   const Comparison comparison = compare(a, b);
   EXPECT_TRUE(comparison.same());
   EXPECT_EQ(comparison.matched, 2U);
-  EXPECT_EQ(
-      comparison_text(comparison),
-      "2 runs are the same in both in all but seconds and memory (made under another commit, dataset source, label, libraries/VTK, "
-      "limit_minutes, notes; -v shows both).\n");
+  EXPECT_EQ(comparison_text(comparison),
+            "2 runs are the same in both in all but seconds and memory (made under another commit, dataset source, "
+            "label, libraries/VTK, "
+            "limit_minutes, notes; -v shows both).\n");
   const std::string full = comparison_text(comparison, Detail::full);
   EXPECT_NE(full.find("| 5.25   | 8.00   | 1.52  | 321"), std::string::npos) << full;
   EXPECT_NE(full.find("| commit         | abcdef"), std::string::npos) << full;

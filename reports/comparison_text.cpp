@@ -30,9 +30,9 @@ std::string verdict(const Comparison& comparison) {
   const std::string undone =
       comparison.undone == 0 ? "" : fmt::format("; {} done on neither side", plural(comparison.undone, "planned run"));
   if (comparison.same()) {
-    return fmt::format("{} the same in both in all but seconds and memory{}{}.\n",
-                       runs + (comparison.matched == 1 ? " is" : " are"),
-                       circumstances.empty() ? "" : " (made under another " + circumstances + "; -v shows both)", undone);
+    return fmt::format(
+        "{} the same in both in all but seconds and memory{}{}.\n", runs + (comparison.matched == 1 ? " is" : " are"),
+        circumstances.empty() ? "" : " (made under another " + circumstances + "; -v shows both)", undone);
   }
   std::set<std::string> differing;
   for (const Difference& difference : comparison.differences) differing.insert(difference.run);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/arrangement.h"
+#include "reports/claims.h"
 #include "reports/figure_values.h"
 #include "reports/latex.h"
 #include "reports/tables.h"
@@ -54,8 +55,13 @@ class Macros {
   std::string text_;
 };
 
-void add_figures(const Runs& runs, const std::string& dataset, const std::string& variant, Macros& macros) {
+void add_figures(const Runs& all, const std::string& dataset, const std::string& variant, Macros& macros) {
+  const Runs runs = gated(all);
   if (runs.empty()) return;
+  if (runs.size() < all.size()) {
+    macros.add("isobench" + macro_name({dataset, variant, "runs left out"}),
+               static_cast<double>(all.size() - runs.size()));
+  }
   for (const std::string& figure : figure_names()) {
     std::vector<double> values;
     for (const RunRecord* run : runs) values.push_back(figure_value(*run, figure));
@@ -111,9 +117,10 @@ std::string latex_tables(const Results& results) {
     text += "\n% Where the published figures come from.\n\\newcommand{\\isobenchPublishedSource}{" +
             latex_escaped(results.published->source) + "}\n";
   }
-  for (const Table& table : all_tables(results)) {
-    text += "\n";
-    text += latex(table);
+  std::vector<Table> tables = all_tables(results);
+  tables.push_back(claims_table(results));
+  for (const Table& table : tables) {
+    if (!table.empty()) text += fmt::format("\n{}", latex(table));
   }
   return text;
 }
