@@ -1,5 +1,7 @@
 #include "reports/claim_sides.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,7 @@ Side side_of(const PublishedClaim& claim, const PublishedMethod& method, const R
   Side side;
   side.name = runs.empty() ? method.name : runs.front()->request.label;
   if (runs.empty()) side.absent = method.name + " was not run";
+  std::vector<double> values;
   for (const RunRecord* run : runs) {
     double value = 0.0;
     for (const std::string& figure : claim.figures) value += figure_value(*run, figure);
@@ -51,11 +54,15 @@ Side side_of(const PublishedClaim& claim, const PublishedMethod& method, const R
       side.absent = side.name + (failed ? ": " + to_string(run->status) : " has no such figure");
       continue;
     }
-    side.low = std::min(side.low, value);
-    side.high = std::max(side.high, value);
+    values.push_back(value);
     side.open = side.open || !dagger(*run).empty();
   }
-  if (side.low <= side.high) side.absent.clear();
+  if (values.empty()) return side;
+  side.absent.clear();
+  const Spread spread = spread_of(std::move(values));
+  side.low = spread.min;
+  side.high = spread.max;
+  side.median = spread.median;
   return side;
 }
 
@@ -63,6 +70,11 @@ std::string text_of(const Side& side) {
   const std::string low = significant(side.low, 3);
   const std::string high = significant(side.high, 3);
   return (low == high ? low : low + "–" + high) + (side.open ? " †" : "");
+}
+
+std::string median_text(const Side& side) {
+  const std::string range = text_of(side);
+  return side.low < side.high ? fmt::format("{} ({})", significant(side.median, 3), range) : range;
 }
 
 Relation stronger(Relation a, Relation b) {

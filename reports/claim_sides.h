@@ -14,6 +14,7 @@ struct Side {
   std::string name;
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
+  double median = std::numeric_limits<double>::quiet_NaN();
   bool open = false;   ///< one of the meshes is not closed and manifold
   std::string absent;  ///< why there is no figure; "" where there is one
 };
@@ -29,6 +30,8 @@ Side side_of(const PublishedClaim& claim, const PublishedMethod& method, const R
 
 /// "0.31", "0.28–0.33 †".
 std::string text_of(const Side& side);
+/// "0.31", "0.31 (0.28–0.33) †".
+std::string median_text(const Side& side);
 
 /// Of "a ~ b >> c" follows "a >> c": where a method in between is absent, the strongest relation on the way is asked.
 Relation stronger(Relation a, Relation b);

@@ -68,7 +68,8 @@ struct ClaimResult {
   std::string summary;                      ///< "held as far as it can be tested here: no run of advancing-front"
 };
 
-/// Of several runs of one method (seeds, repeats) every one has to bear the claim out.
+/// Of several runs of one method (seeds, repeats) every one has to bear the claim out, but for a trend, which is one of
+/// their medians.
 ClaimResult evaluate(const PublishedClaim& claim, const Results& results);
 
 /// "ps > af > mc", "ps at most 0.008 %", "smaller epsilon, smaller distance_mean": the rule that was tested.

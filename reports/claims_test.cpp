@@ -191,6 +191,26 @@ TEST(Claims, ATrendIsAlongOneParameterAlone) {
   EXPECT_EQ(judge(trend, {run("box", "marching-cubes", 0.1)}).verdict, Verdict::not_testable);
 }
 
+TEST(Claims, ATrendOverSeedsIsOneOfTheirMedians) {
+  const std::string trend = "figure = \"radius_ratio_min\"\nmethod = \"ps\"\nsmaller = \"delta\"\ngives = \"larger\"\n";
+  const auto cell = [](double delta, const std::vector<double>& ratios) {
+    std::vector<RunRecord> records;
+    for (const double ratio : ratios) {
+      records.push_back(run("box", "particles", ratio));
+      records.back().request.sizing.delta = delta;
+      records.back().request.seed = records.size();
+    }
+    return records;
+  };
+  std::vector<RunRecord> records = cell(0.4, {0.5, 0.3, 0.6});
+  for (RunRecord& record : cell(0.2, {0.2, 0.55, 0.7})) records.push_back(record);
+  const ClaimResult held = judge(trend, records);
+  EXPECT_EQ(held.verdict, Verdict::held);
+  EXPECT_EQ(held.findings[0].ours, "δ 0.4: 0.500 (0.300–0.600), δ 0.2: 0.550 (0.200–0.700)");
+  records[4].measurement->radius_ratio.min = 0.45;
+  EXPECT_EQ(judge(trend, records).verdict, Verdict::not_held);
+}
+
 TEST(Claims, MistakesHaveTheirPlace) {
   const auto mistake = [](const std::string& claim) -> std::string {
     try {

@@ -14,10 +14,11 @@ namespace {
 std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
 
 std::string claim_text(std::size_t number, const PublishedClaim& claim, const ClaimResult& result) {
-  // Where there is nothing to show, the summary says why.
+  // Where there is nothing to judge, the summary says why.
   MarkdownTable table({"Data", "Verdict", "Ours", "Published"});
-  const bool empty = std::all_of(result.findings.begin(), result.findings.end(),
-                                 [](const Finding& finding) { return (finding.ours + finding.published).empty(); });
+  const bool empty = std::all_of(result.findings.begin(), result.findings.end(), [](const Finding& finding) {
+    return finding.verdict == Verdict::not_testable || (finding.ours + finding.published).empty();
+  });
   for (const Finding& finding : result.findings) {
     table.add({finding.data, to_string(finding.verdict), or_dash(finding.ours), or_dash(finding.published)});
   }

@@ -173,7 +173,7 @@ std::string rule_text(const PublishedClaim& claim) {
   }
   text = fmt::format("{} of {}", fmt::join(claim.figures, " + "), claim.method);
   if (!claim.smaller.empty()) {
-    return fmt::format("{} gets {} as {} gets smaller and nothing else changes", text,
+    return fmt::format("{} gets {} as {} gets smaller and nothing else changes; of several seeds the median", text,
                        claim.gives_larger ? "larger" : "smaller", claim.smaller);
   }
   if (claim.at_least) text += fmt::format(" is at least {}", *claim.at_least);
