@@ -6,6 +6,7 @@
 
 #include "datasets/test_folder.h"
 #include "experiments/plan.h"
+#include "experiments/test_program.h"
 
 namespace isobench {
 namespace {
@@ -261,6 +262,22 @@ TEST(Config, SetReplacesAParameterOfEveryMethodThatHasIt) {
   EXPECT_THROW(set_parameter(config, "sweeps=many"), UsageError);
   EXPECT_THROW(set_parameter(config, "sweeps=-1"), UsageError);
   EXPECT_THROW(set_parameter(config, "swepes=7"), UsageError);
+}
+
+// What README.md promises must be so: every key that it shows is read, and gives the runs that it speaks of.
+TEST(Config, TheExampleOfThePageIsAnExperiment) {
+  const std::string page = text_of(fs::path(ISOBENCH_EXPERIMENTS) / "README.md");
+  const std::size_t begin = page.find("```toml\n") + 8;
+  const std::string example = page.substr(begin, page.find("```\n", begin) - begin);
+  const fs::path path = write(example, "example.toml");
+  fs::create_directories(path.parent_path() / "published");
+  fs::copy_file(fs::path(ISOBENCH_EXPERIMENTS) / "published" / "meyer-2007.toml",
+                path.parent_path() / "published" / "meyer-2007.toml", fs::copy_options::overwrite_existing);
+  // Two data sets, the torus at one ε; the entries of particles, one of which is two, have two variations each.
+  const std::size_t rows = 1 + 2;
+  const std::size_t of_a_row = (1 + 2) * (1 + 2) + 1;
+  EXPECT_EQ(make_plan(read_config(path)).size(), rows * of_a_row * 3 * 2);
+  EXPECT_EQ(make_plan(read_config(path, Size::quick)).size(), of_a_row * 2);
 }
 
 TEST(Config, IdentityIsOfWhatDecidesTheRuns) {

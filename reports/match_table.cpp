@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <map>
 
 #include "reports/table_parts.h"
@@ -9,10 +8,28 @@ namespace isobench {
 
 namespace {
 
-// Only where it tells rows apart.
-std::string seed_text(const RunRequest& request) {
-  std::string text = request.seed != 1 ? fmt::format(", seed {}", request.seed) : "";
-  if (request.repeat > 1) text += fmt::format(", repeat {}", request.repeat);
+double vertices(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
+double asked(const RunRecord& run) { return run.match->vertices; }
+double off_percent(const RunRecord& run) { return 100.0 * (vertices(run) / asked(run) - 1.0); }
+double scale(const RunRecord& run) { return run.match->scale; }
+double tries(const RunRecord& run) { return run.match->tries; }
+
+// By run: the label of the entry that asked for it.
+std::map<std::string, std::string> labels_of(const Results& results) {
+  std::map<std::string, std::string> labels;
+  for (const RunRecord& record : results.records) labels[record.request.run] = record.request.label;
+  return labels;
+}
+
+// Why runs are not matched, each reason once.
+std::string reasons(const Runs& runs) {
+  std::vector<std::string> all;
+  for (const RunRecord* run : runs) {
+    const std::string& reason = run->match->reason;
+    if (!reason.empty() && std::find(all.begin(), all.end(), reason) == all.end()) all.push_back(reason);
+  }
+  std::string text;
+  for (const std::string& reason : all) text += (text.empty() ? " ‡ " : "; ") + reason;
   return text;
 }
 
@@ -26,26 +43,21 @@ Table match_table(const Results& results) {
       "A run is matched by scaling the edge lengths that its method is asked for until its number of vertices is "
       "within "
       "2 % of the other run's; edges are compared with h0 as it was before that."};
-  std::map<std::string, const RunRecord*> by_name;
-  for (const RunRecord& record : results.records) by_name[record.request.run] = &record;
-  for (const RunRecord& record : results.records) {
-    if (!record.match) continue;
-    const RunRequest& request = record.request;
-    const auto other = by_name.find(request.match_to);
-    const std::string matched_to = other == by_name.end() ? request.match_to : other->second->request.label;
-    const double vertices = static_cast<double>(record.measurement->vertices);
-    const double off = 100.0 * (vertices / record.match->vertices - 1.0);
-    TableRow row = {request.dataset, request.label + ", " + sizing_name(request.sizing) + seed_text(request),
-                    matched_to};
-    for (const auto& [value, print] : {std::pair{vertices, as_number()},
-                                       {record.match->vertices, as_number()},
-                                       {off, to_places(2)},
-                                       {record.match->scale, to_significant(4)},
-                                       {static_cast<double>(record.match->tries), as_number()}}) {
-      row.emplace_back().figures.push_back({{value, value, value}, print});
+  const std::map<std::string, std::string> labels = labels_of(results);
+  const Arrangement runs = arrange(results);
+  for (const std::string& dataset : runs.datasets) {
+    for (const Variant& variant : runs.variants) {
+      const Runs& group = find_runs(variant, dataset);
+      Runs matched = finished(group);
+      std::erase_if(matched, [](const RunRecord* run) { return !run->match; });
+      if (matched.empty()) continue;
+      const auto other = labels.find(matched.front()->request.match_to);
+      table.rows.push_back({dataset, variant.name + spread_label(group, false),
+                            other == labels.end() ? matched.front()->request.match_to : other->second,
+                            over_all(matched, vertices, as_number()), over_all(matched, asked, as_number()),
+                            over_all(matched, off_percent, to_places(2)), over_all(matched, scale, to_significant(4)),
+                            with_mark(over_all(matched, tries, as_number()), reasons(matched))});
     }
-    row.back().mark = record.match->reason.empty() ? "" : " ‡ " + record.match->reason;
-    table.rows.push_back(std::move(row));
   }
   return table;
 }
