@@ -61,7 +61,7 @@ TEST_F(Compare, AFigureThatDiffersIsShownAndExitsWith1) {
   std::string text = text_of(record);
   const std::size_t at = text.find("\"triangles\": ");
   ASSERT_NE(at, std::string::npos);
-  text.insert(at + 13, "1");
+  text.insert(at + 13, 1, '1');
   std::ofstream(record) << text;
   fs::remove_all(record_in("b/two", "sphere-flying-edges").parent_path());
   const Outcome outcome = run({"compare", "a/two", "b/two"});

@@ -41,6 +41,20 @@ class SignalGuard {
   std::array<struct sigaction, 3> before_{};
 };
 
+// A cell that is still to be looked at.
+struct Pending {
+  const RunRequest* request = nullptr;
+  std::size_t number = 0;                      // counts from 1, for people
+  std::optional<fs::file_time_type> recorded;  // before this process began
+  bool again = false;                          // it was left to another process before
+};
+
+enum class Start {
+  taken,  // under way, or nothing to do
+  waits,  // until another process has done with its timed run
+  left,   // to another process that is at it
+};
+
 struct Active {
   RunRequest request;
   std::string title;
@@ -50,7 +64,9 @@ struct Active {
 };
 
 std::string last_lines(const fs::path& log, std::size_t count) {
-  std::ifstream file(log);
+  std::ifstream file(log, std::ios::binary | std::ios::ate);
+  const std::streamoff length = file.tellg();
+  file.seekg(std::max<std::streamoff>(0, length - 4096));  // however much a child has written
   std::deque<std::string> lines;
   for (std::string line; std::getline(file, line);) {
     if (line.empty()) continue;
@@ -98,9 +114,10 @@ class Runner {
 
   RunSummary run(const std::vector<RunRequest>& cells) {
     const SignalGuard guard;
-    std::size_t next = 0;
-    while (stop_signal == 0 && (next < cells.size() || !active_.empty())) {
-      while (stop_signal == 0 && next < cells.size() && room_for(cells[next]) && start(cells[next])) ++next;
+    for (const RunRequest& cell : cells) pending_.push_back({&cell, pending_.size() + 1, store_.recorded(cell)});
+    while (stop_signal == 0 && (!pending_.empty() || !active_.empty())) {
+      while (stop_signal == 0 && !pending_.empty() && room_for(pending_.front()) && begin_next()) {
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       for (std::size_t i = 0; i < active_.size() && stop_signal == 0;) {
         if (step(*active_[i]))
@@ -117,48 +134,69 @@ class Runner {
   }
 
  private:
-  // A timed run has the machine to itself, as far as this program goes.
-  bool room_for(const RunRequest& request) const {
+  // A timed run has the machine to itself, as far as this program goes. What was left to another process is looked at
+  // again when all else is done: that process may have been killed.
+  bool room_for(const Pending& next) const {
     if (active_.empty()) return true;
-    if (request.alone || active_.front()->request.alone) return false;
+    if (next.again || next.request->alone || active_.front()->request.alone) return false;
     return active_.size() < static_cast<std::size_t>(options_.jobs);
   }
 
-  // True once it is under way, or need not be; false where it has to wait for another process.
-  bool start(const RunRequest& request) {
-    const std::string repeat = request.repeat > 1 ? fmt::format(" r{}", request.repeat) : "";
-    const std::string title = fmt::format("[{}/{}] {}/{} {} s{}{}", started_ + 1, total_, request.dataset,
-                                          request.label, sizing_text(request.sizing), request.seed, repeat);
-    const bool timed = request.alone && (options_.force || store_.state(request) != RunState::done);
-    std::optional<FileLock> quiet = timed ? store_.claim_quiet() : std::nullopt;
-    if (timed && !quiet) {
-      console_.update(title + ": waits for a timed run of another process", -1.0);
-      return false;
+  // False where the next cell has to wait for another process.
+  bool begin_next() {
+    Pending next = pending_.front();
+    const Start result = start(next);
+    if (result == Start::waits) return false;
+    pending_.pop_front();
+    if (result == Start::left) {
+      next.again = true;
+      pending_.push_back(next);
     }
-    ++started_;
-    if (!options_.force && store_.state(request) == RunState::done) {
-      ++summary_.reused;
-      console_.detail(title + ": done before");
-      return true;
+    return true;
+  }
+
+  // Whether there is nothing to do for a run: it was done before or, while this process was at others, by another.
+  bool settled(const Pending& next) {
+    const RunState state = store_.state(*next.request);
+    const bool meanwhile = state != RunState::missing && store_.recorded(*next.request) != next.recorded;
+    if (!meanwhile && (options_.force || state != RunState::done)) return false;
+    ++(state == RunState::done ? summary_.reused : summary_.elsewhere);
+    console_.detail(fmt::format("{}: {}", title_of(next), meanwhile ? "done by another process" : "done before"));
+    return true;
+  }
+
+  std::string title_of(const Pending& next) const {
+    const RunRequest& request = *next.request;
+    const std::string repeat = request.repeat > 1 ? fmt::format(" r{}", request.repeat) : "";
+    return fmt::format("[{}/{}] {}/{} {} s{}{}", next.number, total_, request.dataset, request.label,
+                       sizing_text(request.sizing), request.seed, repeat);
+  }
+
+  Start start(const Pending& next) {
+    if (settled(next)) return Start::taken;
+    const RunRequest& request = *next.request;
+    const std::string title = title_of(next);
+    std::optional<FileLock> quiet = request.alone ? store_.claim_quiet() : std::nullopt;
+    if (request.alone && !quiet) {
+      console_.update(title + ": waits for a timed run of another process", -1.0);
+      return Start::waits;
     }
     std::optional<Claim> claim = store_.claim(request);
+    if (!claim && !next.again) return Start::left;
     if (!claim) {
       ++summary_.elsewhere;
       console_.line(title + ": left to another process that is at it");
-      return true;
+      return Start::taken;
     }
     // Between looking and claiming another process may have finished it.
-    if (!options_.force && store_.state(request) == RunState::done) {
-      ++summary_.reused;
-      return true;
-    }
+    if (settled(next)) return Start::taken;
     Child child({options_.program.string(), "cell", "--plan", (store_.folder() / "plan.json").string(), "--run",
                  request.run, "--folder", claim->folder().string(), "--threads", std::to_string(options_.threads)},
                 claim->folder() / "log.txt");
     console_.detail(title + ": started");
     active_.push_back(
         std::make_unique<Active>(Active{request, title, std::move(quiet), std::move(*claim), std::move(child)}));
-    return true;
+    return Start::taken;
   }
 
   // True once the run is over and stored.
@@ -215,8 +253,8 @@ class Runner {
   const RunOptions& options_;
   Console& console_;
   std::size_t total_;
-  std::size_t started_ = 0;
   RunSummary summary_;
+  std::deque<Pending> pending_;
   std::vector<std::unique_ptr<Active>> active_;
 };
 
