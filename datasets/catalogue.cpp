@@ -62,15 +62,25 @@ Volume read_data(const Manifest& manifest, const DataFiles& data, Monitor& monit
   return manifest.raw ? read_raw(data.paths, *manifest.raw) : read_volume(data.paths.front());
 }
 
+// ", gap 1 mm" and the like.
+std::string parameters_text(const Phantom& shape) {
+  std::string text;
+  for (const PhantomParameter& parameter : shape.parameters) {
+    text += fmt::format(", {} {} mm", parameter.name, parameter.value);
+  }
+  return text;
+}
+
 Dataset load_phantom(const Manifest& manifest, Monitor& monitor) {
   const auto stage = monitor.stage("read");
   Dataset dataset;
   dataset.checksum = manifest_checksum(manifest, {});
   dataset.source = "phantom";
-  dataset.preparation = {
-      fmt::format("sample {} with {} nodes along its longest axis", manifest.phantom->name, manifest.phantom->nodes)};
-  dataset.surface = std::make_unique<Isosurface>(
-      sample_phantom(phantom(manifest.phantom->name), manifest.phantom->nodes), 0.0, Inside::above, manifest.kernel);
+  const Phantom shape = phantom(manifest.phantom->name, manifest.phantom->parameters);
+  dataset.preparation = {fmt::format("sample {} with {} nodes along its longest axis{}", shape.name,
+                                     manifest.phantom->nodes, parameters_text(shape))};
+  dataset.surface =
+      std::make_unique<Isosurface>(sample_phantom(shape, manifest.phantom->nodes), 0.0, Inside::above, manifest.kernel);
   return dataset;
 }
 
@@ -99,7 +109,10 @@ std::vector<DatasetInfo> list_datasets() {
   for (const auto& [name, path] : manifest_paths()) {
     const Manifest manifest = read_manifest(path, name);
     std::string source = manifest.source;
-    if (manifest.phantom) source = fmt::format("phantom, {} nodes along its longest axis", manifest.phantom->nodes);
+    if (manifest.phantom) {
+      source = fmt::format("phantom, {} nodes along its longest axis{}", manifest.phantom->nodes,
+                           parameters_text(phantom(manifest.phantom->name, manifest.phantom->parameters)));
+    }
     list.push_back({name, manifest.title, manifest.licence, source});
   }
   return list;

@@ -110,7 +110,6 @@ void parse_data(const TomlValue& table, Manifest& manifest) {
 }
 
 ManifestPhantom parse_phantom(const TomlValue& table) {
-  table.allow_keys({"name", "nodes"}, "[phantom]");
   const TomlValue name = table.require("name");
   std::vector<std::string> names;
   for (const Phantom& known : phantoms()) names.push_back(known.name);
@@ -118,7 +117,22 @@ ManifestPhantom parse_phantom(const TomlValue& table) {
     throw UsageError(name.place(),
                      fmt::format("unknown phantom '{}'{}", name.as_string(), suggestion(name.as_string(), names)));
   }
-  return {name.as_string(), parse_count(table.require("nodes"), 16)};
+  ManifestPhantom chosen;
+  chosen.name = name.as_string();
+  std::vector<std::string> keys = {"name", "nodes"};
+  for (const PhantomParameter& parameter : phantom(chosen.name).parameters) {
+    keys.push_back(parameter.name);
+    const auto value = table.find(parameter.name);
+    if (!value) continue;
+    chosen.parameters[parameter.name] = value->as_number();
+    if (!(value->as_number() >= parameter.min && value->as_number() <= parameter.max)) {
+      throw UsageError(value->place(),
+                       fmt::format("{} must be {} to {} mm", parameter.name, parameter.min, parameter.max));
+    }
+  }
+  table.allow_keys(keys, "[phantom]");
+  chosen.nodes = parse_count(table.require("nodes"), 16);
+  return chosen;
 }
 
 }  // namespace
@@ -163,7 +177,12 @@ std::string manifest_checksum(const Manifest& manifest, const std::vector<std::s
   std::string text = fmt::format("isobench dataset, preparation revision {}\nkernel {}\n", preparation_revision,
                                  to_string(manifest.kernel));
   if (manifest.phantom) {
-    return sha256_of_text(text + fmt::format("phantom {} {}\n", manifest.phantom->name, manifest.phantom->nodes));
+    text += fmt::format("phantom {} {}\n", manifest.phantom->name, manifest.phantom->nodes);
+    const Phantom shape = phantom(manifest.phantom->name, manifest.phantom->parameters);
+    for (const PhantomParameter& parameter : shape.parameters) {
+      text += fmt::format("{} {}\n", parameter.name, parameter.value);
+    }
+    return sha256_of_text(text);
   }
   for (const std::string& sum : file_sums) text += fmt::format("file {}\n", sum);
   if (manifest.raw) {

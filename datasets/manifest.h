@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct ManifestPackage {
 
 struct ManifestPhantom {
   std::string name;
-  int nodes = 64;  ///< along the longest axis
+  int nodes = 64;                            ///< along the longest axis
+  std::map<std::string, double> parameters;  ///< mm, those that the manifest states
 };
 
 struct Manifest {

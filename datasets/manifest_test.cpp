@@ -72,6 +72,19 @@ TEST(Manifest, ErrorsNameTheLineAndTheNearestName) {
   expect_usage_error(head, 1, "[data]");
 }
 
+TEST(Manifest, APhantomsOwnLengthsMayBeStated) {
+  const std::string sheets = "title = \"T\"\n[phantom]\nname = \"thin-sheets\"\nnodes = 64\n";
+  const Manifest manifest = parse(sheets + "gap = 1.5\n");
+  EXPECT_EQ(manifest.phantom->parameters, (std::map<std::string, double>{{"gap", 1.5}}));
+  EXPECT_NE(manifest_checksum(manifest, {}), manifest_checksum(parse(sheets), {}));
+  // What is stated as it is anyway changes nothing.
+  EXPECT_EQ(manifest_checksum(parse(sheets + "gap = 1\n"), {}), manifest_checksum(parse(sheets), {}));
+  expect_usage_error(sheets + "gap = 0\n", 5, "0.01 to 100 mm");
+  expect_usage_error(sheets + "gap = inf\n", 5, "0.01 to 100 mm");
+  expect_usage_error(sheets + "gab = 1\n", 5, "did you mean 'gap'?");
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 64\ngap = 1\n", 5, "gap");
+}
+
 TEST(Manifest, RefusesFilesThatCouldDoHarm) {
   expect_usage_error(head + "[data]\nfiles = [ { name = \"../v.nrrd\" } ]\n", 4, "..");
   expect_usage_error(head + "[data]\nfiles = [ { name = \"/etc/v.nrrd\" } ]\n", 4, "relative");

@@ -9,6 +9,7 @@
 
 #include "datasets/ellipsoid.h"
 #include "datasets/error.h"
+#include "datasets/phantom_shapes.h"
 
 namespace isobench {
 namespace {
@@ -99,23 +100,10 @@ Phantom slab() {
   return p;
 }
 
-/// Inner axis: the two centres. Outer axis: the plane between them.
 Phantom two_spheres() {
-  constexpr double r = 10.0;
-  constexpr double gap = 5.0;
-  const auto from_centre = [](const Vector3d& x) {
-    return Vector3d(std::abs(x[0]) - (r + 0.5 * gap), x[1], x[2]).norm();
-  };
-  Phantom p;
+  Phantom p = sphere_pair(10.0, 5.0);
   p.name = "two-spheres";
   p.title = "Two spheres of radius 10 mm, 5 mm apart";
-  p.function = [from_centre](const Vector3d& x) { return r - from_centre(x); };
-  p.half_extent = {2.0 * r + 0.5 * gap, r, r};
-  p.euler = 4;
-  p.components = 2;
-  p.feature_size = [from_centre](const Vector3d& x) { return std::min(from_centre(x), std::abs(x[0])); };
-  p.area = 8.0 * pi * r * r;
-  p.volume = 8.0 / 3.0 * pi * r * r * r;
   return p;
 }
 
@@ -207,8 +195,17 @@ Phantom gyroid_ball() {
 }  // namespace
 
 const std::vector<Phantom>& phantoms() {
-  static const std::vector<Phantom> all{sphere(),      torus(),   ellipsoid(),   slab(),
-                                        two_spheres(), capsule(), rounded_box(), gyroid_ball()};
+  static const std::vector<Phantom> all{sphere(),
+                                        torus(),
+                                        ellipsoid(),
+                                        slab(),
+                                        two_spheres(),
+                                        capsule(),
+                                        rounded_box(),
+                                        gyroid_ball(),
+                                        thin_sheets(2.0, 1.0),
+                                        near_spheres(0.9),
+                                        vessel_tree_phantom()};
   return all;
 }
 
@@ -219,6 +216,31 @@ const Phantom& phantom(const std::string& name) {
     names.push_back(p.name);
   }
   throw UsageError(fmt::format("there is no phantom '{}'{}", name, suggestion(name, names)));
+}
+
+Phantom phantom(const std::string& name, const std::map<std::string, double>& parameters) {
+  const Phantom& usual = phantom(name);
+  std::map<std::string, double> values;
+  std::vector<std::string> names;
+  for (const PhantomParameter& parameter : usual.parameters) {
+    const auto given = parameters.find(parameter.name);
+    const double value = given == parameters.end() ? parameter.value : given->second;
+    if (!(value >= parameter.min && value <= parameter.max)) {
+      throw UsageError(fmt::format("phantom '{}': {} must be {} to {} mm, not {}", name, parameter.name, parameter.min,
+                                   parameter.max, value));
+    }
+    values[parameter.name] = value;
+    names.push_back(parameter.name);
+  }
+  for (const auto& given : parameters) {
+    if (values.count(given.first) == 0) {
+      throw UsageError(
+          fmt::format("phantom '{}' has no parameter '{}'{}", name, given.first, suggestion(given.first, names)));
+    }
+  }
+  if (name == "thin-sheets") return thin_sheets(values.at("thickness"), values.at("gap"));
+  if (name == "near-spheres") return near_spheres(values.at("gap"));
+  return usual;
 }
 
 Volume sample_phantom(const Phantom& phantom, int nodes, int margin) {

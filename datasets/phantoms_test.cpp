@@ -80,6 +80,15 @@ class EveryPhantom : public testing::TestWithParam<Phantom> {};
 /// Those of which everything is known.
 class ClosedForm : public testing::TestWithParam<Phantom> {};
 
+/// Those of them whose gaps are wide enough for samples 0.5–0.8 mm apart to find the balls in between.
+std::vector<Phantom> widened(std::vector<Phantom> all) {
+  for (Phantom& p : all) {
+    if (p.name == "thin-sheets") p = phantom(p.name, {{"thickness", 10.0}, {"gap", 8.0}});
+    if (p.name == "near-spheres") p = phantom(p.name, {{"gap", 4.0}});
+  }
+  return all;
+}
+
 /// Every pair of 10000 samples: 0.3 s a shape when optimised, but half a minute under sanitizers.
 class FeatureSizeSlow : public ClosedForm {};
 
@@ -145,7 +154,8 @@ TEST_P(EveryPhantom, LiesWithinItsHalfExtentAndTouchesIt) {
 /// over one voxel, because the flat faces lie along the lattice and would be counted by whole layers.
 TEST_P(ClosedForm, AreaAndVolumeAgreeWithSampling) {
   const Phantom& p = GetParam();
-  const double width = 1.5;
+  // Within the reach of the medial axis, where Steiner's formula holds.
+  const double width = std::min(1.5, 0.6 * p.smallest_feature.value_or(4.0));
   const Volume v = sample_phantom(p, 160, 12);
   const double cell = v.lattice.spacing.prod();
   const double voxel = v.lattice.spacing[0];
@@ -242,10 +252,12 @@ TEST_P(EveryPhantom, IsSampledInItsOwnCoordinatesWithItsMargin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Phantoms, EveryPhantom, testing::ValuesIn(phantoms()), test_name);
-INSTANTIATE_TEST_SUITE_P(Phantoms, FeatureSizeSlow, testing::ValuesIn(closed_forms()), test_name);
+INSTANTIATE_TEST_SUITE_P(Phantoms, FeatureSizeSlow, testing::ValuesIn(widened(closed_forms())), test_name);
 INSTANTIATE_TEST_SUITE_P(Phantoms, ClosedForm, testing::ValuesIn(closed_forms()), test_name);
 
-TEST(Phantoms, AllButTheGyroidBallHaveClosedForms) { EXPECT_EQ(closed_forms().size() + 1, phantoms().size()); }
+TEST(Phantoms, AllButTheGyroidBallAndTheVesselTreeHaveClosedForms) {
+  EXPECT_EQ(closed_forms().size() + 2, phantoms().size());
+}
 
 TEST(Phantoms, AreFoundByName) {
   EXPECT_EQ(phantom("rounded-box").name, "rounded-box");

@@ -147,6 +147,7 @@ RemeasureSummary remeasure(const fs::path& folder, Console& console) {
   for (const RunRecord& record : results.records) remeasuring.run(record);
   for (const std::string& sentence : results.unreadable) console.line(sentence);
   remeasuring.summary.failed += static_cast<int>(results.unreadable.size());
+  const FileLock lock = lock_results(folder);
   const fs::path plan_path = folder / "plan.json";
   std::vector<RunRequest> plan = plan_from_json(read_text(plan_path), plan_path.string());
   std::transform(plan.begin(), plan.end(), plan.begin(), renamed);

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <deque>
-#include <fstream>
 #include <list>
-#include <map>
 #include <memory>
 #include <set>
 #include <thread>
 
 #include "experiments/cell.h"
 #include "experiments/child.h"
+#include "experiments/ending.h"
 #include "experiments/plan.h"
 
 namespace isobench {
@@ -44,6 +42,20 @@ class SignalGuard {
   std::array<struct sigaction, 3> before_{};
 };
 
+// A cell that is still to be looked at.
+struct Pending {
+  const RunRequest* request = nullptr;
+  std::size_t number = 0;                      // counts from 1, for people
+  std::optional<fs::file_time_type> recorded;  // before this process began
+  bool again = false;                          // it was left to another process before
+};
+
+enum class Start {
+  taken,  // under way, or nothing to do
+  waits,  // for another process: its timed run, or the run that others are to be matched to
+  left,   // to another process that is at it
+};
+
 struct Active {
   RunRequest request;
   std::string title;
@@ -52,48 +64,6 @@ struct Active {
   Child child;
 };
 
-std::string last_lines(const fs::path& log, std::size_t count) {
-  std::ifstream file(log);
-  std::deque<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty()) continue;
-    lines.push_back(line);
-    if (lines.size() > count) lines.pop_front();
-  }
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : " | ") + line;
-  return text;
-}
-
-// The record of a run that could not write its own.
-RunRecord failure(const Active& active, Status status, const std::string& reason) {
-  RunRecord record = begin_record(active.request, 0);
-  record.status = status;
-  record.reason = reason;
-  record.seconds_total = active.child.seconds();
-  return record;
-}
-
-std::string limit_exceeded(const Active& active, Status& status) {
-  const RunRequest& request = active.request;
-  if (request.limit_minutes && active.child.seconds() > 60.0 * *request.limit_minutes) {
-    status = Status::timeout;
-    return fmt::format("not finished after {} minutes", *request.limit_minutes);
-  }
-  if (request.limit_memory_gb && active.child.peak_memory_gb() > *request.limit_memory_gb) {
-    status = Status::out_of_memory;
-    return fmt::format("needed more than {} GB", *request.limit_memory_gb);
-  }
-  return "";
-}
-
-std::string exit_reason(const ChildExit& exit, const fs::path& log) {
-  const std::string tail = last_lines(log, 3);
-  const std::string after = tail.empty() ? "" : "; its log ends: " + tail;
-  if (exit.signal != 0) return "ended by " + signal_name(exit.signal) + after;
-  return fmt::format("ended with exit code {} and no record{}", exit.code, after);
-}
-
 class Runner {
  public:
   Runner(const Store& store, const RunOptions& options, Console& console, std::size_t total)
@@ -101,12 +71,11 @@ class Runner {
 
   RunSummary run(const std::vector<RunRequest>& cells) {
     const SignalGuard guard;
-    for (const RunRequest& request : cells) {
-      requests_.emplace(request.run, &request);
-      unfinished_.insert(request.run);
-      waiting_.push_back(&request);
+    for (const RunRequest& cell : cells) {
+      pending_.push_back({&cell, pending_.size() + 1, store_.recorded(cell)});
+      unfinished_.insert(cell.run);
     }
-    while (stop_signal == 0 && (!waiting_.empty() || !active_.empty())) {
+    while (stop_signal == 0 && (!pending_.empty() || !active_.empty())) {
       start_what_can();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       for (std::size_t i = 0; i < active_.size() && stop_signal == 0;) {
@@ -124,16 +93,29 @@ class Runner {
   }
 
  private:
-  // In their order, but for those that wait for the run that they are matched to.
+  // In their order, but for those that wait for the run that they are matched to or for another process.
   void start_what_can() {
-    for (auto request = waiting_.begin(); request != waiting_.end() && stop_signal == 0;) {
-      if (!room_for(**request)) return;
-      if (waits_for_match(**request)) {
-        ++request;
+    for (auto next = pending_.begin(); next != pending_.end() && stop_signal == 0;) {
+      if (!room_for(*next->request)) return;
+      // What was left to another process is looked at again when all else is done: it may have been killed.
+      const bool later = next->again && !active_.empty();
+      if (later || unfinished_.count(next->request->match_to) > 0) {
+        ++next;
         continue;
       }
-      if (!start(**request)) return;
-      request = waiting_.erase(request);
+      switch (start(*next)) {
+        case Start::taken:
+          next = pending_.erase(next);
+          break;
+        case Start::left:
+          next->again = true;
+          pending_.splice(pending_.end(), pending_, next++);
+          break;
+        case Start::waits:
+          if (!next->again) return;
+          ++next;
+          break;
+      }
     }
   }
 
@@ -144,14 +126,10 @@ class Runner {
     return active_.size() < static_cast<std::size_t>(options_.jobs);
   }
 
-  // Whether the run that this one is matched to is still to come, here or in another process.
-  bool waits_for_match(const RunRequest& request) {
-    if (request.match_to.empty()) return false;
-    if (unfinished_.count(request.match_to) > 0) return true;
-    const auto other = requests_.find(request.match_to);
-    if (other == requests_.end() || run_state(store_.folder(), *other->second) != RunState::elsewhere) return false;
-    console_.update(request.run + ": waits for another process, which is at " + request.match_to, -1.0);
-    return true;
+  // Whether a run that is still to come is to be matched to this one.
+  bool needed(const RunRequest& request) const {
+    return std::any_of(pending_.begin(), pending_.end(),
+                       [&request](const Pending& other) { return other.request->match_to == request.run; });
   }
 
   // The number of vertices to match; std::nullopt where the other run has no mesh.
@@ -166,36 +144,51 @@ class Runner {
     return std::nullopt;
   }
 
-  std::string title_of(const RunRequest& request) const {
+  // Whether there is nothing to do for a run: it was done before or, while this process was at others, by another.
+  bool settled(const Pending& next) {
+    const RunState state = store_.state(*next.request);
+    const bool meanwhile = state != RunState::missing && store_.recorded(*next.request) != next.recorded;
+    if (!meanwhile && (options_.force || state != RunState::done)) return false;
+    ++(state == RunState::done ? summary_.reused : summary_.elsewhere);
+    unfinished_.erase(next.request->run);
+    console_.detail(fmt::format("{}: {}", title_of(next), meanwhile ? "done by another process" : "done before"));
+    return true;
+  }
+
+  std::string title_of(const Pending& next) const {
+    const RunRequest& request = *next.request;
     const std::string repeat = request.repeat > 1 ? fmt::format(" r{}", request.repeat) : "";
-    return fmt::format("[{}/{}] {}/{} {} s{}{}", started_ + 1, total_, request.dataset, request.label,
+    return fmt::format("[{}/{}] {}/{} {} s{}{}", next.number, total_, request.dataset, request.label,
                        sizing_text(request.sizing), request.seed, repeat);
   }
 
-  // True once it is under way, or need not be; false where it has to wait for another process.
-  bool start(const RunRequest& request) {
-    const std::string title = title_of(request);
-    const bool timed = request.alone && (options_.force || store_.state(request) != RunState::done);
-    std::optional<FileLock> quiet = timed ? store_.claim_quiet() : std::nullopt;
-    if (timed && !quiet) {
+  Start start(const Pending& next) {
+    if (settled(next)) return Start::taken;
+    const RunRequest& request = *next.request;
+    const std::string title = title_of(next);
+    std::optional<FileLock> quiet = request.alone ? store_.claim_quiet() : std::nullopt;
+    if (request.alone && !quiet) {
       console_.update(title + ": waits for a timed run of another process", -1.0);
-      return false;
+      return Start::waits;
     }
-    ++started_;
-    if (reuse(request, title)) return true;
     std::optional<Claim> claim = store_.claim(request);
+    if (!claim && !next.again) return Start::left;
+    if (!claim && needed(request)) {
+      console_.update(title + ": waits for another process that is at it", -1.0);
+      return Start::waits;
+    }
     if (!claim) {
       ++summary_.elsewhere;
       unfinished_.erase(request.run);
       console_.line(title + ": left to another process that is at it");
-      return true;
+      return Start::taken;
     }
     // Between looking and claiming another process may have finished it.
-    if (reuse(request, title)) return true;
+    if (settled(next)) return Start::taken;
     const std::optional<double> vertices = match_vertices(request);
     if (!request.match_to.empty() && !vertices) {
       store_without_reference(request, title, std::move(*claim));
-      return true;
+      return Start::taken;
     }
     std::vector<std::string> command = {options_.program.string(),
                                         "cell",
@@ -212,15 +205,7 @@ class Runner {
     console_.detail(title + ": started");
     active_.push_back(
         std::make_unique<Active>(Active{request, title, std::move(quiet), std::move(*claim), std::move(child)}));
-    return true;
-  }
-
-  bool reuse(const RunRequest& request, const std::string& title) {
-    if (options_.force || store_.state(request) != RunState::done) return false;
-    ++summary_.reused;
-    unfinished_.erase(request.run);
-    console_.detail(title + ": done before");
-    return true;
+    return Start::taken;
   }
 
   // Nothing to match it to: failed, so that it is tried again once there is.
@@ -238,19 +223,17 @@ class Runner {
     if (const std::optional<ChildExit> exit = active.child.poll()) {
       const fs::path path = active.claim.folder() / "run.json";
       const bool recorded = exit->signal == 0 && fs::exists(path);
-      const RunRecord record =
-          recorded ? read_record(path)
-                   : failure(active, Status::failed, exit_reason(*exit, active.claim.folder() / "log.txt"));
+      const RunRecord record = recorded
+                                   ? read_record(path)
+                                   : without_record(active.request, *exit, seconds, active.claim.folder() / "log.txt");
       if (exit->code == 3) ++summary_.data;
       store(active, record, recorded, seconds);
       return true;
     }
-    Status status = Status::failed;
-    const std::string reason = limit_exceeded(active, status);
-    if (reason.empty()) return false;
-    const RunRecord record = failure(active, status, reason);
+    const std::optional<RunRecord> record = beyond_limits(active.request, active.child);
+    if (!record) return false;
     active.child.kill();
-    store(active, record, false, seconds);
+    store(active, *record, false, seconds);
     return true;
   }
 
@@ -292,11 +275,9 @@ class Runner {
   const RunOptions& options_;
   Console& console_;
   std::size_t total_;
-  std::size_t started_ = 0;
-  std::map<std::string, const RunRequest*> requests_;  // by name
-  std::set<std::string> unfinished_;                   // those that are waiting or active here
-  std::list<const RunRequest*> waiting_;
   RunSummary summary_;
+  std::list<Pending> pending_;
+  std::set<std::string> unfinished_;  // names of those that are pending or active here
   std::vector<std::unique_ptr<Active>> active_;
 };
 

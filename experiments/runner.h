@@ -23,12 +23,13 @@ struct RunSummary {
   int failed = 0;     ///< and those that ran out of time or memory
   int data = 0;       ///< of `failed`, those for want of usable data
   int reused = 0;     ///< done before
-  int elsewhere = 0;  ///< being done by another process
+  int elsewhere = 0;  ///< being done by another process, or failed at one meanwhile
   bool interrupted = false;
 };
 
-/// Runs what is not done yet. A crash, a hang or a memory hog costs only its own run, which is recorded as such.
-/// SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and set `interrupted`.
+/// Runs what is not done yet, and by no other process since this one began. A crash, a hang or a memory hog costs only
+/// its own run, which is recorded as such. SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and set
+/// `interrupted`.
 RunSummary run_cells(const Store& store, const std::vector<RunRequest>& cells, const RunOptions& options,
                      Console& console);
 

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <functional>
 #include <thread>
 
 #include "experiments/test_program.h"
-#include "reports/results.h"
 
 namespace isobench {
 namespace {
@@ -21,44 +19,6 @@ delta = 0.5
 [[method]]
 name = "marching-cubes"
 )";
-
-fs::path run_folder(const fs::path& results, const std::string& start) {
-  for (const auto& entry : fs::directory_iterator(results)) {
-    if (entry.path().filename().string().starts_with(start)) return entry.path();
-  }
-  return {};
-}
-
-std::size_t count_starting(const fs::path& folder, const std::string& start) {
-  std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().starts_with(start)) ++count;
-  }
-  return count;
-}
-
-// True once the condition holds; gives up after a minute, far above what a phantom takes even under a sanitizer.
-bool eventually(const std::function<bool()>& condition) {
-  for (int tries = 0; tries < 6000; ++tries) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
-
-// Whether any process was started with `text` among its arguments.
-bool process_mentions(const std::string& text) {
-  for (const auto& entry : fs::directory_iterator("/proc")) {
-    const std::string name = entry.path().filename().string();
-    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    if (text_of(entry.path() / "cmdline").find(text) != std::string::npos) return true;
-  }
-  return false;
-}
-
-RunRecord record_of(const fs::path& results, const std::string& start) {
-  return read_record(run_folder(results, start) / "run.json");
-}
 
 TEST(Runner, StoresWholeRunsAndDoesThemOnce) {
   const TestFolder folder;

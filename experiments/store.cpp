@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "experiments/plan.h"
+#include "reports/report.h"
 
 namespace isobench {
 
@@ -19,17 +20,9 @@ namespace {
 
 const std::string temporary_prefix = ".tmp-";
 const std::string replaced_prefix = ".old-";
+const std::string unwritten = ".tmp-";  // in the name of a file that write_text() has not finished
 
 fs::path lock_path(const fs::path& folder, const std::string& run) { return folder / ".locks" / run; }
-
-// Two processes that start at once both write the plan; the second waits for the first.
-FileLock wait_for_lock(const fs::path& path) {
-  for (int tries = 0; tries < 600; ++tries) {
-    if (std::optional<FileLock> lock = FileLock::try_lock(path)) return std::move(*lock);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  throw Error(path.string() + ": still locked by another process after 30 s");
-}
 
 // A replaced run is moved aside before its successor takes the name; whoever died in between left only the old one.
 void settle_replaced(const fs::path& folder, const std::string& run) {
@@ -41,14 +34,18 @@ void settle_replaced(const fs::path& folder, const std::string& run) {
     fs::rename(old, folder / run);
 }
 
-void remove_leftovers(const fs::path& folder) {
+// Of processes that died: files beside the runs, which are only written under the lock of the results, and runs.
+void remove_leftovers(const fs::path& folder, const FileLock&) {
   std::vector<std::string> names;
+  std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory() && (name.starts_with(temporary_prefix) || name.starts_with(replaced_prefix))) {
       names.push_back(name);
     }
+    if (entry.is_regular_file() && name.find(unwritten) != std::string::npos) files.push_back(entry.path());
   }
+  for (const fs::path& file : files) fs::remove(file);
   for (const std::string& name : names) {
     const std::string run = name.substr(temporary_prefix.size());
     const std::optional<FileLock> lock = FileLock::try_lock(lock_path(folder, run));
@@ -108,9 +105,11 @@ void check_folder(const fs::path& folder, const Config& config) {
   if (!fs::is_directory(folder)) throw UsageError(folder.string() + " is a file; give another --out");
   const fs::path stored = folder / "config.toml";
   if (!fs::exists(stored)) {
-    // Only the locks: a process died before it came to write anything.
+    // Unless it is what a process leaves that died before it had written all it starts with.
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-      if (entry.path().filename() == ".locks") continue;
+      std::string name = entry.path().filename().string();
+      if (const std::size_t at = name.find(unwritten); at != std::string::npos) name.resize(at);
+      if (name == ".locks" || name == "published.toml" || name == "plan.json" || name == "config.toml") continue;
       throw UsageError(folder.string() + " exists and is no results folder; rename the config or give another --out");
     }
     return;
@@ -160,12 +159,27 @@ RunState run_state(const fs::path& folder, const RunRequest& request) {
   return being_done(folder, request.run) ? RunState::elsewhere : state;
 }
 
+FileLock lock_results(const fs::path& folder) {
+  fs::create_directories(folder / ".locks");  // a copied folder may have come without
+  const fs::path path = folder / ".locks" / "store";
+  for (int tries = 0; tries < 600; ++tries) {
+    if (std::optional<FileLock> lock = FileLock::try_lock(path)) return std::move(*lock);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  throw Error(path.string() + ": still locked by another process after 30 s");
+}
+
+std::string write_tables(const fs::path& folder) {
+  if (!fs::exists(folder / "plan.json")) return write_report(folder);  // which says that this is no results folder
+  const FileLock lock = lock_results(folder);
+  return write_report(folder);
+}
+
 Store::Store(fs::path folder, const Config& config, const std::vector<RunRequest>& plan) : folder_(std::move(folder)) {
   check_folder(folder_, config);
-  fs::create_directories(folder_ / ".locks");
-  const FileLock lock = wait_for_lock(folder_ / ".locks" / "store");
+  const FileLock lock = lock_results(folder_);
   check_folder(folder_, config);  // again: another process may have made it meanwhile
-  remove_leftovers(folder_);
+  remove_leftovers(folder_, lock);
   if (config.published) {
     // Through a string: the source may be this very file, when a stored config is run again.
     write_text(folder_ / "published.toml", read_text(*config.published));
@@ -175,6 +189,12 @@ Store::Store(fs::path folder, const Config& config, const std::vector<RunRequest
 }
 
 RunState Store::state(const RunRequest& request) const { return stored_state(folder_, request); }
+
+std::optional<fs::file_time_type> Store::recorded(const RunRequest& request) const {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(folder_ / request.run / "run.json", error);
+  return error ? std::nullopt : std::optional(time);
+}
 
 std::optional<FileLock> Store::claim_quiet() const { return FileLock::try_lock(folder_ / ".locks" / "timed"); }
 

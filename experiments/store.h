@@ -71,6 +71,8 @@ class Store {
 
   const std::filesystem::path& folder() const { return folder_; }
   RunState state(const RunRequest& request) const;
+  /// When the stored record of a run was written; std::nullopt where there is none. Differs for every record.
+  std::optional<std::filesystem::file_time_type> recorded(const RunRequest& request) const;
   /// std::nullopt where another process is doing this run.
   std::optional<Claim> claim(const RunRequest& request) const;
   /// Held while a timed run goes on, so that no other process runs one of this folder beside it; std::nullopt where
@@ -81,6 +83,12 @@ class Store {
  private:
   std::filesystem::path folder_;
 };
+
+/// Held while the files beside the runs (plan, tables, results.csv) are read and written, so that the last process to
+/// finish writes what all have done. Waits for it; throws Error after half a minute.
+FileLock lock_results(const std::filesystem::path& folder);
+/// write_report() under that lock.
+std::string write_tables(const std::filesystem::path& folder);
 
 /// What Store::state() would say, and `elsewhere` for what another process is at, without making or touching anything.
 RunState run_state(const std::filesystem::path& folder, const RunRequest& request);

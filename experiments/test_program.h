@@ -8,12 +8,15 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "datasets/test_folder.h"
+#include "reports/record.h"
 
 namespace isobench {
 
@@ -69,6 +72,44 @@ class Program {
 inline Outcome run_program(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                            const std::map<std::string, std::string>& environment = {}) {
   return Program(folder, arguments, environment).wait();
+}
+
+inline std::filesystem::path run_folder(const std::filesystem::path& results, const std::string& start) {
+  for (const auto& entry : std::filesystem::directory_iterator(results)) {
+    if (entry.path().filename().string().starts_with(start)) return entry.path();
+  }
+  return {};
+}
+
+inline std::size_t count_starting(const std::filesystem::path& folder, const std::string& start) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with(start)) ++count;
+  }
+  return count;
+}
+
+/// True once the condition holds; gives up after a minute, far above what a phantom takes even under a sanitizer.
+inline bool eventually(const std::function<bool()>& condition) {
+  for (int tries = 0; tries < 6000; ++tries) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+/// Whether any process was started with `text` among its arguments.
+inline bool process_mentions(const std::string& text) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (text_of(entry.path() / "cmdline").find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+inline RunRecord record_of(const std::filesystem::path& results, const std::string& start) {
+  return read_record(run_folder(results, start) / "run.json");
 }
 
 }  // namespace isobench

@@ -2,10 +2,10 @@
 
 #include "datasets/catalogue.h"
 #include "experiments/remeasure.h"
+#include "experiments/store.h"
 #include "experiments/verbs.h"
 #include "methods/mesh_files.h"
 #include "reports/record.h"
-#include "reports/report.h"
 #include "reports/summary.h"
 
 namespace isobench {
@@ -21,7 +21,7 @@ int measure_results(const MeasureArguments& arguments, const CommonArguments& co
   }
   Console console(common.verbosity);
   const RemeasureSummary summary = remeasure(arguments.mesh, console);
-  write_report(arguments.mesh);
+  write_tables(arguments.mesh);
   std::string text = fmt::format("{} measured", summary.measured);
   if (summary.without_mesh > 0) text += fmt::format(", {} without a mesh", summary.without_mesh);
   if (summary.failed > 0) text += fmt::format(", {} kept as they were", summary.failed);

@@ -9,7 +9,6 @@
 #include "experiments/runner.h"
 #include "experiments/verbs.h"
 #include "reports/comparison.h"
-#include "reports/report.h"
 #include "reports/results.h"
 
 namespace isobench {
@@ -130,7 +129,7 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common) {
                counts(summary));
     return 130;
   }
-  const std::string tables = write_report(folder);
+  const std::string tables = write_tables(folder);
   console.line(fmt::format("{}: {}", config.name, counts(summary)));
   if (common.verbosity != Verbosity::quiet) {
     fmt::print("{}", tables);
@@ -141,7 +140,7 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common) {
 }
 
 int report_verb(const std::filesystem::path& folder, const CommonArguments& common) {
-  const std::string tables = write_report(folder);
+  const std::string tables = write_tables(folder);
   if (common.verbosity != Verbosity::quiet) fmt::print("{}", tables);
   Console(common.verbosity)
       .line(fmt::format("written: {0}/tables.md, {0}/tables.tex, {0}/results.csv", folder.string()));

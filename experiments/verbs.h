@@ -24,8 +24,8 @@ struct RunArguments {
   std::filesystem::path config;  ///< or a results folder, whose stored config is run
   std::string only = "*";
   std::optional<std::filesystem::path> out;  ///< default: "results", or where the results folder is
-  std::vector<std::string> set;       ///< key=value, over the config's
-  std::optional<std::uint64_t> seed;  ///< in the place of the config's
+  std::vector<std::string> set;              ///< key=value, over the config's
+  std::optional<std::uint64_t> seed;         ///< in the place of the config's
   int jobs = 1;
   bool force = false;
   bool dry_run = false;

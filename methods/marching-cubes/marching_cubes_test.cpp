@@ -43,7 +43,8 @@ class MarchingCubesPhantom : public testing::TestWithParam<Phantom> {};
 
 TEST_P(MarchingCubesPhantom, IsClosedOutwardAndOfTheRightTopologyAreaAndVolume) {
   const Phantom& p = GetParam();
-  const Isosurface surface(sample_phantom(p, 100), 0.0);
+  // Rims of 1 mm bend as much a voxel on the finer lattice as those of the slab do on the other.
+  const Isosurface surface(sample_phantom(p, p.name == "thin-sheets" ? 160 : 100), 0.0);
   const MeshFacts facts = mesh_facts(extract(surface));
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.nonmanifold_edges, 0U);
