@@ -2,6 +2,7 @@
 // Libraries never print; whoever runs them gives them a Monitor, and may give the Monitor a ProgressSink.
 #pragma once
 
+#include <Eigen/Core>
 #include <atomic>
 #include <chrono>
 #include <map>
@@ -23,6 +24,12 @@ struct StageTime {
   std::string name;           ///< nested stages read "outer/inner"
   double wall_seconds = 0.0;  ///< summed over all visits
   double cpu_seconds = 0.0;   ///< of the whole process, all threads
+};
+
+/// Points with data, for someone to look at: an intermediate result that a run leaves behind where it is asked to.
+struct Artefact {
+  std::vector<Eigen::Vector3d> points;              ///< lattice frame, mm
+  std::map<std::string, std::vector<double>> data;  ///< one value a point
 };
 
 class Monitor {
@@ -65,6 +72,15 @@ class Monitor {
   /// A sentence for the run's log and record.
   void note(const std::string& sentence) { notes_.push_back(sentence); }
 
+  /// Artefacts are kept only where keep_artefacts() asked for them; a later one of the same name takes the place of the
+  /// earlier. Where making one costs anything, ask keeps_artefacts() first.
+  void keep_artefacts() { keeps_artefacts_ = true; }
+  bool keeps_artefacts() const { return keeps_artefacts_; }
+  void artefact(const std::string& name, Artefact artefact) {
+    if (keeps_artefacts_) artefacts_[name] = std::move(artefact);
+  }
+
+  const std::map<std::string, Artefact>& artefacts() const { return artefacts_; }
   const std::vector<StageTime>& stages() const { return stages_; }
   const std::map<std::string, double>& counters() const { return counters_; }
   const std::map<std::string, std::vector<double>>& traces() const { return traces_; }
@@ -82,6 +98,8 @@ class Monitor {
   std::map<std::string, double> counters_;
   std::map<std::string, std::vector<double>> traces_;
   std::vector<std::string> notes_;
+  bool keeps_artefacts_ = false;
+  std::map<std::string, Artefact> artefacts_;
 };
 
 }  // namespace isobench
