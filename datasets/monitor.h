@@ -2,6 +2,7 @@
 // Libraries never print; whoever runs them gives them a Monitor, and may give the Monitor a ProgressSink.
 #pragma once
 
+#include <Eigen/Core>
 #include <atomic>
 #include <chrono>
 #include <map>
@@ -23,6 +24,12 @@ struct StageTime {
   std::string name;           ///< nested stages read "outer/inner"
   double wall_seconds = 0.0;  ///< summed over all visits
   double cpu_seconds = 0.0;   ///< of the whole process, all threads
+};
+
+/// Points with data, for someone to look at: an intermediate result that a run leaves behind where it is asked to.
+struct Artefact {
+  std::vector<Eigen::Vector3d> points;              ///< lattice frame, mm
+  std::map<std::string, std::vector<double>> data;  ///< one value a point
 };
 
 class Monitor {
@@ -65,12 +72,21 @@ class Monitor {
   /// A sentence for the run's log and record.
   void note(const std::string& sentence) { booked_.notes.push_back(sentence); }
 
+  /// Artefacts are kept only where keep_artefacts() asked for them; a later one of the same name takes the place of the
+  /// earlier. Where making one costs anything, ask keeps_artefacts() first.
+  void keep_artefacts() { keeps_artefacts_ = true; }
+  bool keeps_artefacts() const { return keeps_artefacts_; }
+  void artefact(const std::string& name, Artefact artefact) {
+    if (keeps_artefacts_) booked_.artefacts[name] = std::move(artefact);
+  }
+
   /// All that has been booked so far, for the record.
   struct Bookings {
     std::vector<StageTime> stages;
     std::map<std::string, double> counters;
     std::map<std::string, std::vector<double>> traces;
     std::vector<std::string> notes;
+    std::map<std::string, Artefact> artefacts;
   };
   const Bookings& bookings() const { return booked_; }
   /// Puts earlier bookings in the place of the present ones, as if what happened since had not: for an attempt that is
@@ -81,6 +97,7 @@ class Monitor {
   const std::map<std::string, double>& counters() const { return booked_.counters; }
   const std::map<std::string, std::vector<double>>& traces() const { return booked_.traces; }
   const std::vector<std::string>& notes() const { return booked_.notes; }
+  const std::map<std::string, Artefact>& artefacts() const { return booked_.artefacts; }
   /// Wall seconds of one stage by its full name; 0 if it never ran.
   double seconds(const std::string& name) const;
 
@@ -90,6 +107,7 @@ class Monitor {
   ProgressSink* sink_ = nullptr;
   std::atomic<bool> cancelled_{false};
   std::string current_;
+  bool keeps_artefacts_ = false;
   Bookings booked_;
 };
 

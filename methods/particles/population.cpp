@@ -11,9 +11,6 @@
 
 namespace isobench::particles {
 
-namespace {
-
-/// Neighbours of i on its own sheet within the potential's reach.
 std::vector<std::uint32_t> ring(const Particles& particles, const NeighbourLists& near, std::size_t i) {
   std::vector<std::uint32_t> result;
   for (const std::uint32_t j : near.of(i)) {
@@ -22,7 +19,6 @@ std::vector<std::uint32_t> ring(const Particles& particles, const NeighbourLists
   return result;
 }
 
-/// The middle of the widest angle around particle i in which no neighbour stands, as a unit tangent.
 Eigen::Vector3d widest_gap(const Particles& particles, const std::vector<std::uint32_t>& neighbours, std::size_t i) {
   const Eigen::Vector3d& n = particles.normals[i];
   Eigen::Vector3d u = n.unitOrthogonal();
@@ -45,6 +41,8 @@ Eigen::Vector3d widest_gap(const Particles& particles, const std::vector<std::ui
   }
   return std::cos(middle) * u + std::sin(middle) * v;
 }
+
+namespace {
 
 bool crowded(const Eigen::Vector3d& x, double h, const Particles& particles,
              const std::vector<std::uint32_t>& neighbours) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "methods/particles/relaxation.h"
 
@@ -19,5 +20,10 @@ struct PopulationChange {
 /// so that no hole opens. Deterministic for any number of threads.
 PopulationChange control_population(const Isosurface& surface, const Spacing& spacing, Particles& particles,
                                     double split_below, double delete_above);
+
+/// Neighbours of i on its own sheet.
+std::vector<std::uint32_t> ring(const Particles& particles, const NeighbourLists& near, std::size_t i);
+/// The middle of the widest angle around particle i in which none of these neighbours stands, as a unit tangent.
+Eigen::Vector3d widest_gap(const Particles& particles, const std::vector<std::uint32_t>& neighbours, std::size_t i);
 
 }  // namespace isobench::particles

@@ -159,6 +159,13 @@ std::vector<double> energies(const Particles& particles, const NeighbourLists& n
   return result;
 }
 
+double pair_energy(const Particles& particles, std::size_t i, std::size_t j) {
+  const double distance = (particles.points[i] - particles.points[j]).norm();
+  const double d = beta * distance / std::min(particles.spacing[i], particles.spacing[j]);
+  if (d >= 1.0 || particles.normals[i].dot(particles.normals[j]) <= 0.0) return 0.0;
+  return PotentialTable::instance().at(d).energy;
+}
+
 void relax(const Isosurface& surface, const Spacing& spacing, Particles& particles, int sweeps, Monitor& monitor) {
   Relaxation relaxation(surface, spacing, particles);
   for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -35,4 +35,7 @@ NeighbourLists acting_neighbours(const Particles& particles, double extra = 0.0)
 /// The energy of each particle; those whose normals are opposed (another sheet) do not act on it.
 std::vector<double> energies(const Particles& particles, const NeighbourLists& neighbours);
 
+/// What i and j have between them: 0 out of each other's reach or where their normals are opposed.
+double pair_energy(const Particles& particles, std::size_t i, std::size_t j);
+
 }  // namespace isobench::particles

@@ -168,4 +168,25 @@ std::vector<Eigen::Vector3d> eliminate_to_seeds(const Isosurface& surface, const
   return seeds;
 }
 
+std::vector<Eigen::Vector3d> lattice_seeds(const Isosurface& surface, const TriangleMesh& mesh) {
+  constexpr std::size_t every = 4;
+  const std::size_t count = (mesh.vertices.size() + every - 1) / every;
+  std::vector<std::optional<Eigen::Vector3d>> feet(count);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) feet[n] = surface.project(mesh.vertices[every * n]);
+  });
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& foot : feet) {
+    if (foot) points.push_back(*foot);
+  }
+  const double apart = 0.01 * surface.voxel();
+  const NeighbourLists near = find_neighbours(points, std::vector<double>(points.size(), apart));
+  std::vector<Eigen::Vector3d> seeds;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto others = near.of(n);
+    if (std::none_of(others.begin(), others.end(), [n](std::uint32_t j) { return j < n; })) seeds.push_back(points[n]);
+  }
+  return seeds;
+}
+
 }  // namespace isobench::particles

@@ -29,4 +29,8 @@ std::vector<Eigen::Vector3d> eliminate_to_seeds(const Isosurface& surface, const
                                                 const Spacing& spacing, std::size_t count, double per_particle,
                                                 std::uint64_t seed, Monitor& monitor);
 
+/// Every fourth vertex of the mesh, projected to F = c: the seeds of the published method. Of coincident ones the
+/// first.
+std::vector<Eigen::Vector3d> lattice_seeds(const Isosurface& surface, const TriangleMesh& mesh);
+
 }  // namespace isobench::particles

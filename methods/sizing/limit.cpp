@@ -1,7 +1,6 @@
 #include "methods/sizing/limit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <queue>
 #include <utility>
@@ -9,15 +8,6 @@
 namespace isobench {
 
 namespace {
-
-using Neighbours = std::array<std::int32_t, 6>;  // −x, +x, −y, +y, −z, +z; −1 outside the band
-
-/// Band numbers of the six nodes around node n.
-Neighbours neighbours_of(const Band& band, std::size_t n) {
-  const auto [i, j, k] = band.node(n);
-  return {band.find(i - 1, j, k), band.find(i + 1, j, k), band.find(i, j - 1, k),
-          band.find(i, j + 1, k), band.find(i, j, k - 1), band.find(i, j, k + 1)};
-}
 
 /// The lower neighbours of a node so far and the U that solves Σ (U − u)²/s² = δ² over them. Marching accepts
 /// neighbours from the lowest up, so each is added once and a neighbour at or above U changes nothing, nor does any
@@ -67,7 +57,7 @@ class FastMarching {
       if (done_[node] != 0) continue;  // an entry from before the value fell
       done_[node] = 1;
       if (++accepted % 65536 == 0) monitor.progress(static_cast<double>(accepted) / static_cast<double>(h_.size()));
-      const Neighbours around = neighbours_of(band_, node);
+      const LatticeNeighbours around = lattice_neighbours(band_, node);
       for (std::size_t side = 0; side < 6; ++side) {
         if (around[side] >= 0) tell(static_cast<std::size_t>(around[side]), value, side, queue);
       }
@@ -98,12 +88,18 @@ class FastMarching {
 
 }  // namespace
 
+LatticeNeighbours lattice_neighbours(const Band& band, std::size_t n) {
+  const auto [i, j, k] = band.node(n);
+  return {band.find(i - 1, j, k), band.find(i + 1, j, k), band.find(i, j - 1, k),
+          band.find(i, j + 1, k), band.find(i, j, k - 1), band.find(i, j, k + 1)};
+}
+
 std::vector<float> limit_gradient(const Band& band, const std::vector<float>& h0, double delta, Monitor& monitor) {
   return FastMarching(band, h0, delta).run(monitor);
 }
 
 double upwind_gradient_norm(const Band& band, const std::vector<float>& h, std::size_t node) {
-  const Neighbours around = neighbours_of(band, node);
+  const LatticeNeighbours around = lattice_neighbours(band, node);
   double sum = 0.0;
   for (std::size_t side = 0; side < 6; ++side) {
     if (around[side] < 0) continue;

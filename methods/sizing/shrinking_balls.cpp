@@ -184,12 +184,14 @@ MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double 
 }
 
 struct FeatureSize::Tree {
-  explicit Tree(std::vector<Eigen::Vector3d> thinned) : points(std::move(thinned)), index(points) {}
+  Tree(std::vector<Eigen::Vector3d> thinned, double farthest)
+      : points(std::move(thinned)), index(points), cap(farthest) {}
   std::vector<Eigen::Vector3d> points;
   PointTree index;
+  double cap;
 };
 
-FeatureSize::FeatureSize(const MedialBalls& balls, double voxel) {
+FeatureSize::FeatureSize(const MedialBalls& balls, double voxel, double cap) {
   const double cell = voxel / 20.0;
   std::unordered_map<Key, char, KeyHash> seen;
   seen.reserve(balls.centres.size());
@@ -197,12 +199,14 @@ FeatureSize::FeatureSize(const MedialBalls& balls, double voxel) {
   for (const Eigen::Vector3d& centre : balls.centres) {
     if (seen.emplace(key_of(centre, cell), 0).second) thinned.push_back(centre);
   }
-  tree_ = std::make_unique<Tree>(std::move(thinned));
+  tree_ = std::make_unique<Tree>(std::move(thinned), cap);
 }
 
 FeatureSize::~FeatureSize() = default;
 FeatureSize::FeatureSize(FeatureSize&&) noexcept = default;
 
-double FeatureSize::operator()(const Eigen::Vector3d& x) const { return tree_->index.nearest(x).second; }
+double FeatureSize::operator()(const Eigen::Vector3d& x) const {
+  return tree_->points.empty() ? tree_->cap : std::min(tree_->cap, tree_->index.nearest(x).second);
+}
 
 }  // namespace isobench

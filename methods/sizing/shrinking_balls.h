@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -33,11 +34,12 @@ struct MedialBalls {
 /// results do not depend on the number of threads.
 MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double cap, Monitor& monitor);
 
-/// λ: the distance to the nearest ball centre. Built once, asked from many threads.
+/// λ: the distance to the nearest point of the medial axis. Built once, asked from many threads.
 class FeatureSize {
  public:
-  /// Centres are thinned to one per cell of a twentieth of a voxel.
-  FeatureSize(const MedialBalls& balls, double voxel);
+  /// The balls' centres are the axis; they are thinned to one per cell of a twentieth of a voxel. No λ exceeds `cap`
+  /// (mm), which is also the answer where there is no axis.
+  FeatureSize(const MedialBalls& balls, double voxel, double cap = std::numeric_limits<double>::infinity());
   ~FeatureSize();
   FeatureSize(FeatureSize&&) noexcept;
   double operator()(const Eigen::Vector3d& x) const;

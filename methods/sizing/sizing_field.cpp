@@ -10,6 +10,7 @@
 
 #include "datasets/error.h"
 #include "methods/marching-cubes/marching_cubes.h"
+#include "methods/sizing/foot_points.h"
 #include "methods/sizing/limit.h"
 #include "methods/sizing/point_tree.h"
 #include "methods/sizing/shrinking_balls.h"
@@ -79,6 +80,19 @@ std::vector<float> initial_field(const Isosurface& surface, const Band& band, co
   return h0;
 }
 
+FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& samples, MedialAxis kind,
+                            Monitor& monitor) {
+  // No ball inside the object is larger than half the volume's shortest side.
+  const double cap = 0.5 * surface.extent().minCoeff();
+  const bool feet = kind == MedialAxis::foot_points;
+  const MedialBalls axis =
+      feet ? foot_point_axis(surface, samples, monitor) : shrinking_balls(samples, surface.voxel(), cap, monitor);
+  if (monitor.keeps_artefacts()) monitor.artefact("medial-axis", {axis.centres, {{"radius", axis.radii}}});
+  if (!feet) return {axis, surface.voxel()};  // its balls hold to the cap
+  monitor.set("axis/points", static_cast<double>(axis.centres.size()));
+  return {axis, surface.voxel(), cap};
+}
+
 double area_of(const TriangleMesh& mesh) {
   double area = 0.0;
   for (const Triangle& t : mesh.triangles) {
@@ -139,7 +153,8 @@ double SizingField::largest() const {
 
 double edge_length_for(double area, double vertices) { return std::sqrt(2.0 * area / (std::sqrt(3.0) * vertices)); }
 
-SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor) {
+SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
+                              const SizingStages& stages) {
   check(request);
   if (request.edge_length) return SizingField(*request.edge_length);
   const TriangleMesh lattice_mesh = [&] {
@@ -153,10 +168,8 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
     return surface_samples(surface, lattice_mesh.vertices);
   }();
   const FeatureSize feature_size = [&] {
-    const auto stage = monitor.stage("balls");
-    // No ball inside the object is larger than half the volume's shortest side.
-    return FeatureSize(shrinking_balls(samples, surface.voxel(), 0.5 * surface.extent().minCoeff(), monitor),
-                       surface.voxel());
+    const auto stage = monitor.stage("axis");
+    return feature_size_of(surface, samples, stages.medial_axis, monitor);
   }();
   const auto band = std::make_shared<const Band>(surface, 2);
   std::vector<float> h0 = [&] {
@@ -164,7 +177,10 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
     return initial_field(surface, *band, RadiusAt(surface, samples, feature_size), request, monitor);
   }();
   const auto stage = monitor.stage("limit");
-  std::vector<float> h = limit_gradient(*band, h0, *request.delta, monitor);
+  constexpr double published_stop = 1e-5;
+  std::vector<float> h = stages.limiter == Limiter::iteration
+                             ? iterate_limit(*band, h0, *request.delta, published_stop, monitor)
+                             : limit_gradient(*band, h0, *request.delta, monitor);
   return {band, std::move(h0), std::move(h), request.floor * surface.voxel()};
 }
 

@@ -61,8 +61,19 @@ class SizingField {
   std::vector<float> h_;
 };
 
-/// Computes the field of a request, in stages "samples", "balls", "band", "limit" of the monitor's current stage.
-SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor);
+enum class MedialAxis { shrinking_balls, foot_points };
+enum class Limiter { fast_marching, iteration };
+
+/// How a field comes about. The defaults are *the* h0 and h of every table; a method may make its own field otherwise.
+struct SizingStages {
+  MedialAxis medial_axis = MedialAxis::shrinking_balls;
+  Limiter limiter = Limiter::fast_marching;
+};
+
+/// Computes the field of a request, in stages "samples", "axis", "band", "limit" of the monitor's current stage. The
+/// points of the medial axis are an artefact, "medial-axis", with their distance from the surface as "radius".
+SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
+                              const SizingStages& stages = {});
 
 /// The mean edge length of a mesh with `vertices` nearly equilateral triangles' corners on `area` mm²: √(2A/(√3 N)).
 double edge_length_for(double area, double vertices);

@@ -1,0 +1,189 @@
+#include "methods/particles/pipeline.h"
+
+#include <cmath>
+
+#include "datasets/error.h"
+#include "methods/labelled_delaunay.h"
+#include "methods/marching-cubes/marching_cubes.h"
+#include "methods/particles/biased_population.h"
+#include "methods/particles/gauss_seidel.h"
+#include "methods/particles/population.h"
+#include "methods/particles/relaxation.h"
+#include "methods/particles/seeds.h"
+#include "methods/tight_cocone/tight_cocone.h"
+
+namespace isobench::particles {
+
+namespace {
+
+bool chosen(const MeshingTask& task, const char* stage, const char* name) {
+  return task.parameters.text(stage) == name;
+}
+
+/// The field to mesh by. What the result is measured against is the task's own, whichever stages the method takes.
+std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor& monitor) {
+  SizingStages stages;
+  if (chosen(task, "medial_axis", "foot-points")) stages.medial_axis = MedialAxis::foot_points;
+  if (chosen(task, "limiter", "iteration")) stages.limiter = Limiter::iteration;
+  const SizingStages usual;
+  if (task.sizing.uniform() || (stages.medial_axis == usual.medial_axis && stages.limiter == usual.limiter)) {
+    return task.sizing_field(monitor);
+  }
+  const auto stage = monitor.stage("sizing");
+  return std::make_shared<const SizingField>(make_sizing_field(task.surface, task.sizing, monitor, stages));
+}
+
+/// Sizes are divided by g so that the longest edges, too, stay below h0; a uniform length is met on average instead.
+double contraction(const MeshingTask& task) {
+  const double g = task.parameters.number("contraction");
+  return task.sizing.uniform() ? 1.0 : g;
+}
+
+Particles seed(const MeshingTask& task, const Spacing& spacing, Monitor& monitor) {
+  const auto stage = monitor.stage("seeds");
+  const TriangleMesh lattice_mesh = marching_cubes(task.surface, monitor);
+  std::vector<Eigen::Vector3d> points;
+  if (chosen(task, "seeds", "marching-cubes")) {
+    points = lattice_seeds(task.surface, lattice_mesh);
+  } else {
+    const double ideal = task.sizing.vertices.value_or(ideal_count(lattice_mesh, spacing));
+    points = eliminate_to_seeds(task.surface, lattice_mesh, spacing, static_cast<std::size_t>(std::llround(ideal)),
+                                task.parameters.number("candidates"), task.seed, monitor);
+  }
+  monitor.set("particles/seeds", static_cast<double>(points.size()));
+  return make_particles(task.surface, spacing, std::move(points));
+}
+
+void book(const PopulationChange& change, std::size_t count, Monitor& monitor) {
+  monitor.add("particles/split", static_cast<double>(change.split));
+  monitor.add("particles/deleted", static_cast<double>(change.deleted));
+  monitor.trace("particles", static_cast<double>(count));
+}
+
+void relax_by_newton(const MeshingTask& task, const Spacing& spacing, Particles& all, Monitor& monitor) {
+  const int sweeps = task.parameters.integer("sweeps");
+  const int rounds = task.parameters.integer("rounds");
+  // Half of the sweeps between the population controls, half after the last.
+  const int between = rounds > 0 ? std::max(1, sweeps / (2 * rounds)) : 0;
+  for (int round = 0; round < rounds; ++round) {
+    relax(task.surface, spacing, all, between, monitor);
+    const auto change = control_population(task.surface, spacing, all, task.parameters.number("split_below"),
+                                           task.parameters.number("delete_above"));
+    book(change, all.size(), monitor);
+  }
+  relax(task.surface, spacing, all, std::max(0, sweeps - rounds * between), monitor);
+}
+
+void relax_as_published(const MeshingTask& task, const Spacing& spacing, Particles& all, Monitor& monitor) {
+  constexpr std::uint64_t most_rounds = 200;  // never seen to be needed
+  constexpr double still = 0.01;              // share of particles that still come and go at the end
+  std::uint64_t round = 0;
+  for (; round < most_rounds; ++round) {
+    relax_in_order(task.surface, spacing, all, monitor);
+    const auto count = static_cast<double>(all.size());
+    Particles changed = all;
+    const auto change = control_population_by_bias(task.surface, spacing, changed, task.seed, round);
+    // The last change is not made: what it brings would not be relaxed.
+    if (static_cast<double>(change.split + change.deleted) < still * count) break;
+    all = std::move(changed);
+    book(change, all.size(), monitor);
+  }
+  monitor.set("particles/rounds", static_cast<double>(round + 1));
+  if (round == most_rounds) monitor.note("the population of particles did not settle");
+}
+
+void show(const Particles& all, Monitor& monitor) {
+  monitor.set("particles/count", static_cast<double>(all.size()));
+  if (!monitor.keeps_artefacts()) return;
+  monitor.artefact("particles", {all.points, {{"h", all.spacing}, {"energy", energies(all, acting_neighbours(all))}}});
+}
+
+TriangleMesh close(const MeshingTask& task, Particles& all, Monitor& monitor) {
+  TriangleMesh result;
+  if (chosen(task, "surface", "tight-cocone")) {
+    const bool poles = chosen(task, "normals", "poles");
+    const TightCocone closed =
+        poles ? tight_cocone(all.points, monitor) : tight_cocone(all.points, all.normals, monitor);
+    result.triangles = closed.triangles;
+    monitor.set("cocone/undersampled", static_cast<double>(closed.undersampled));
+    monitor.set("cocone/pruned", static_cast<double>(closed.pruned));
+    monitor.set("cocone/bad", static_cast<double>(closed.bad));
+    monitor.set("cocone/conflicts", static_cast<double>(closed.conflicts));
+    monitor.set("cocone/transparent", static_cast<double>(closed.transparent));
+  } else {
+    result.triangles = labelled_delaunay(all.points, task.surface, monitor).triangles;
+  }
+  result.vertices = std::move(all.points);
+  monitor.set("particles/unused", static_cast<double>(drop_unused_vertices(result)));
+  return result;
+}
+
+}  // namespace
+
+ParameterSchema pipeline_parameters(const Preset& preset) {
+  const double none = std::numeric_limits<double>::infinity();
+  const auto stage = [none](const char* name, const std::string& usual, const char* what,
+                            std::vector<std::string> choices) {
+    return ParameterSpec{name, usual, "", what, -none, none, std::move(choices), false};
+  };
+  return {
+      stage("medial_axis", preset.medial_axis, "where feature sizes come from", {"shrinking-balls", "foot-points"}),
+      stage("limiter", preset.limiter, "how the sizing's gradient is limited", {"fast-marching", "iteration"}),
+      stage("seeds", preset.seeds, "where particles start", {"elimination", "marching-cubes"}),
+      stage("relaxation", preset.relaxation, "how particles move, split and vanish", {"newton", "gauss-seidel"}),
+      stage("surface", preset.surface, "what closes the particles", {"labelled-delaunay", "tight-cocone"}),
+      stage("normals", "poles", "of tight-cocone: from the Voronoi diagram or from F", {"poles", "gradient"}),
+      {"contraction",
+       1.5,
+       "",
+       "g: adaptive spacing is h/g, so that even the longest edges stay below h0",
+       1.0,
+       4.0,
+       {},
+       false},
+      {"candidates",
+       4.0,
+       "per particle",
+       "of elimination: random candidates that it starts from",
+       2.0,
+       20.0,
+       {},
+       false},
+      {"sweeps", 60.0, "", "of newton: relaxation sweeps in all", 0.0, 10000.0, {}, true},
+      {"rounds",
+       3.0,
+       "",
+       "of newton: population controls, spread over the first half of the sweeps",
+       0.0,
+       100.0,
+       {},
+       true},
+      {"split_below",
+       0.6,
+       "ideal energy",
+       "of newton: a particle with less energy gets a neighbour in its widest gap",
+       0.0,
+       1.0,
+       {},
+       false},
+      {"delete_above", 1.6, "ideal energy", "of newton: a particle with more energy is deleted", 1.0, 100.0, {}, false},
+  };
+}
+
+TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
+  const auto field = sizing_field(task, monitor);
+  const Spacing spacing{*field, contraction(task)};
+  Particles all = seed(task, spacing, monitor);
+  {
+    const auto stage = monitor.stage("relaxation");
+    if (chosen(task, "relaxation", "gauss-seidel"))
+      relax_as_published(task, spacing, all, monitor);
+    else
+      relax_by_newton(task, spacing, all, monitor);
+  }
+  show(all, monitor);
+  const auto stage = monitor.stage("triangulation");
+  return close(task, all, monitor);
+}
+
+}  // namespace isobench::particles

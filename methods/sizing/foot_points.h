@@ -1,0 +1,22 @@
+// The medial axis by foot points (Meyer, Kirby, Whitaker 2007, section 3.1): where the nearest surface point of two
+// points on one line through a lattice cell changes, the line crosses the axis in between.
+#pragma once
+
+#include "datasets/isosurface.h"
+#include "datasets/monitor.h"
+#include "methods/sizing/shrinking_balls.h"
+
+namespace isobench {
+
+/// Points of the medial axis on both sides of the surface, and their distances from it. For every lattice node q that
+/// is not on the surface: p is the surface point nearest to q, q* where the ray from p through q leaves the cell that
+/// it enters at q, p* the surface point nearest to q*. If the lines pq and p*q* make an angle of more than acos 0.9,
+/// the axis lies between q and q*, at m = p + s u, u = (q − p)/|q − p|, where m is as far from p as from the tangent
+/// plane at p*. Foot points start from the nearest of `samples`; where there are none, there is no axis.
+///
+/// As published, the ends of the axis, where the angle closes, are not found: there 1/|κ| is the smaller bound. A shape
+/// without an axis (a plane) gives no points. Multi-threaded; points come in the order of the nodes, whatever the
+/// number of threads. Cost: two nearest-neighbour queries a lattice node, and a few projections near the axis.
+MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& samples, Monitor& monitor);
+
+}  // namespace isobench

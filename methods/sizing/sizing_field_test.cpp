@@ -1,0 +1,71 @@
+#include "methods/sizing/sizing_field.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/phantoms.h"
+
+namespace isobench {
+namespace {
+
+SizingRequest request() {
+  SizingRequest asked;
+  asked.epsilon = 0.5;
+  asked.delta = 0.3;
+  return asked;
+}
+
+Isosurface torus() { return Isosurface(sample_phantom(phantom("torus"), 48), 0.0); }
+
+/// Relative differences of two fields' h over the band, sorted.
+std::vector<double> differences(const SizingField& a, const SizingField& b) {
+  std::vector<double> result;
+  for (std::size_t n = 0; n < a.h_nodes().size(); ++n) {
+    result.push_back(std::abs(a.h_nodes()[n] / b.h_nodes()[n] - 1.0));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(SizingStages, TheIterationComesNearTheFastLimiter) {
+  const Isosurface surface = torus();
+  Monitor monitor;
+  const SizingField fast = make_sizing_field(surface, request(), monitor);
+  const SizingField slow =
+      make_sizing_field(surface, request(), monitor, {MedialAxis::shrinking_balls, Limiter::iteration});
+  EXPECT_GT(monitor.counters().at("limiter/passes"), 10.0);
+  EXPECT_EQ(fast.h0_nodes(), slow.h0_nodes());
+  // The published stop leaves a rest of the way.
+  EXPECT_LT(differences(fast, slow).back(), 1e-3);
+}
+
+TEST(SizingStages, FootPointsGiveTheSizesOfShrinkingBalls) {
+  const Isosurface surface = torus();
+  Monitor monitor;
+  const SizingField balls = make_sizing_field(surface, request(), monitor);
+  const SizingField feet =
+      make_sizing_field(surface, request(), monitor, {MedialAxis::foot_points, Limiter::fast_marching});
+  const std::vector<double> apart = differences(feet, balls);
+  EXPECT_LT(apart[apart.size() / 2], 0.02);
+  EXPECT_GT(apart.back(), 0.0) << "the stage must change something";
+}
+
+TEST(SizingStages, LeaveTheMedialAxisBehindWhereAsked) {
+  const Isosurface surface = torus();
+  for (const MedialAxis kind : {MedialAxis::shrinking_balls, MedialAxis::foot_points}) {
+    Monitor silent;
+    make_sizing_field(surface, request(), silent, {kind, Limiter::fast_marching});
+    EXPECT_TRUE(silent.artefacts().empty());
+    Monitor keeping;
+    keeping.keep_artefacts();
+    make_sizing_field(surface, request(), keeping, {kind, Limiter::fast_marching});
+    const Artefact& axis = keeping.artefacts().at("medial-axis");
+    EXPECT_GT(axis.points.size(), 100U);
+    EXPECT_EQ(axis.data.at("radius").size(), axis.points.size());
+  }
+}
+
+}  // namespace
+}  // namespace isobench
