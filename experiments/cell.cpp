@@ -4,6 +4,7 @@
 #include <fstream>
 #include <new>
 
+#include "experiments/fault.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
 #include "methods/method.h"
@@ -106,6 +107,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     const Monitor::Stage stage = monitor.stage("mesh");
     mesh = chosen.mesh(task, monitor);
   }
+  inject_fault(request, mesh);
   record.peak_memory_mb = peak_memory_mb();
   if (mesh.triangles.empty()) throw Error("the method returned no triangles");
 

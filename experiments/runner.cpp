@@ -107,6 +107,27 @@ std::string exit_reason(const ChildExit& exit, const fs::path& log) {
   return fmt::format("ended with exit code {} and no record{}", exit.code, after);
 }
 
+// What a child that came to its end recorded of its run; where that is nonsense, std::nullopt and why. Its mesh is not
+// read here, where a damaged file would cost more than its own run: whoever reads it checks it.
+std::optional<RunRecord> recorded_by_child(const Active& active, std::string& reason) {
+  const fs::path& folder = active.claim.folder();
+  try {
+    RunRecord record = record_from_json(read_text(folder / "run.json"), "run.json");
+    std::error_code none;
+    const bool meshed = fs::is_regular_file(folder / "mesh.vtp") && fs::file_size(folder / "mesh.vtp", none) > 0;
+    if (result_key(record.request) != result_key(active.request)) {
+      reason = "left the record of another run (" + record.request.run + ")";
+    } else if (record.status == Status::ok && !meshed) {
+      reason = "recorded as ok without a mesh";
+    } else {
+      return record;
+    }
+  } catch (const Error&) {
+    reason = "left a run.json that is no run record";
+  }
+  return std::nullopt;
+}
+
 class Runner {
  public:
   Runner(const Store& store, const RunOptions& options, Console& console, std::size_t total)
@@ -203,13 +224,14 @@ class Runner {
   bool step(Active& active) {
     const double seconds = active.child.seconds();
     if (const std::optional<ChildExit> exit = active.child.poll()) {
-      const fs::path path = active.claim.folder() / "run.json";
-      const bool recorded = exit->signal == 0 && fs::exists(path);
-      const RunRecord record =
-          recorded ? read_record(path)
-                   : failure(active, Status::failed, exit_reason(*exit, active.claim.folder() / "log.txt"));
-      if (exit->code == 3) ++summary_.data;
-      store(active, record, recorded, seconds);
+      std::optional<RunRecord> record;
+      std::string reason;
+      if (exit->signal != 0 || !fs::is_regular_file(active.claim.folder() / "run.json"))
+        reason = exit_reason(*exit, active.claim.folder() / "log.txt");
+      else
+        record = recorded_by_child(active, reason);
+      if (record && exit->code == 3) ++summary_.data;
+      store(active, record ? *record : failure(active, Status::failed, reason), record.has_value(), seconds);
       return true;
     }
     Status status = Status::failed;
@@ -223,7 +245,9 @@ class Runner {
 
   void store(Active& active, const RunRecord& record, bool recorded, double seconds) {
     if (!recorded) {
-      fs::remove(active.claim.folder() / "mesh.vtp");  // whatever there is of it may be half a mesh
+      // Whatever there is of them may be half of one.
+      fs::remove_all(active.claim.folder() / "mesh.vtp");
+      fs::remove_all(active.claim.folder() / "run.json");
       write_record(record, active.claim.folder() / "run.json");
     }
     active.claim.commit();

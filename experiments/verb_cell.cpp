@@ -23,7 +23,7 @@ RunRequest planned(const CellArguments& arguments) {
 int cell_verb(const CellArguments& arguments, const CommonArguments&) {
   std::signal(SIGPIPE, SIG_IGN);  // losing the reader of the progress is no reason to die
   const RunRequest request = planned(arguments);
-  inject_fault(request);
+  inject_fault(request, arguments.folder);
   PipeSink sink(arguments.progress_fd);
   Monitor monitor(&sink);
   const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
