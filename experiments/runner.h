@@ -27,8 +27,9 @@ struct RunSummary {
   bool interrupted = false;
 };
 
-/// Runs what is not done yet, and by no other process since this one began. A crash, a hang or a memory hog costs only its own run, which is recorded as failed or
-/// timeout. SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and set `interrupted`.
+/// Runs what is not done yet, and by no other process since this one began. A crash, a hang or a memory hog costs only
+/// its own run, which is recorded as failed or timeout. SIGINT, SIGTERM and SIGHUP stop the children, leave nothing
+/// half-done and set `interrupted`.
 RunSummary run_cells(const Store& store, const std::vector<RunRequest>& cells, const RunOptions& options,
                      Console& console);
 
