@@ -4,6 +4,7 @@
 #include <fstream>
 #include <new>
 
+#include "experiments/fault.h"
 #include "experiments/matching.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
@@ -52,6 +53,7 @@ MeshingTask task_of(const Dataset& dataset, const RunRequest& request, double sc
 TriangleMesh mesh(const MeshingTask& task, const RunRequest& request, Monitor& monitor) {
   const Monitor::Stage stage = monitor.stage("mesh");
   TriangleMesh made = method(request.method).mesh(task, monitor);
+  inject_fault(request, made);
   if (made.triangles.empty()) throw Error("the method returned no triangles");
   return made;
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "experiments/cell.h"
+#include "experiments/plan.h"
 
 namespace isobench {
 
@@ -35,14 +36,46 @@ RunRecord failure(const RunRequest& request, Status status, const std::string& r
   return record;
 }
 
-}  // namespace
+// What a child that came to its end recorded of its run; where that is nonsense, std::nullopt and why. Its mesh is not
+// read here, where a damaged file would cost more than its own run: whoever reads it checks it.
+std::optional<RunRecord> recorded_by_child(const RunRequest& request, const std::filesystem::path& folder,
+                                           std::string& reason) {
+  try {
+    RunRecord record = record_from_json(read_text(folder / "run.json"), "run.json");
+    std::error_code none;
+    const bool meshed = std::filesystem::is_regular_file(folder / "mesh.vtp") &&
+                        std::filesystem::file_size(folder / "mesh.vtp", none) > 0;
+    if (result_key(record.request) != result_key(request)) {
+      reason = "left the record of another run (" + record.request.run + ")";
+    } else if (record.status == Status::ok && !meshed) {
+      reason = "recorded as ok without a mesh";
+    } else {
+      return record;
+    }
+  } catch (const Error&) {
+    reason = "left a run.json that is no run record";
+  }
+  return std::nullopt;
+}
 
-RunRecord without_record(const RunRequest& request, const ChildExit& exit, double seconds,
-                         const std::filesystem::path& log) {
+std::string exit_reason(const ChildExit& exit, const std::filesystem::path& log) {
   const std::string how = exit.signal != 0 ? "ended by " + signal_name(exit.signal)
                                            : fmt::format("ended with exit code {} and no record", exit.code);
   const std::string tail = last_lines(log, 3);
-  return failure(request, Status::failed, tail.empty() ? how : how + "; its log ends: " + tail, seconds);
+  return tail.empty() ? how : how + "; its log ends: " + tail;
+}
+
+}  // namespace
+
+EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double seconds,
+                        const std::filesystem::path& folder) {
+  std::string reason;
+  if (exit.signal != 0 || !std::filesystem::is_regular_file(folder / "run.json")) {
+    reason = exit_reason(exit, folder / "log.txt");
+  } else if (std::optional<RunRecord> record = recorded_by_child(request, folder, reason)) {
+    return {std::move(*record), true};
+  }
+  return {failure(request, Status::failed, reason, seconds), false};
 }
 
 std::optional<RunRecord> beyond_limits(const RunRequest& request, const Child& child) {

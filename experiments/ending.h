@@ -1,4 +1,4 @@
-// The records of runs that could not write their own.
+// How a run ended, where it may not have been able to write that down itself.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,15 @@
 
 namespace isobench {
 
-/// Of a child that ended without a record: by which signal or exit code, and the last lines of its log.
-RunRecord without_record(const RunRequest& request, const ChildExit& exit, double seconds,
-                         const std::filesystem::path& log);
+struct EndRecord {
+  RunRecord record;
+  bool own = false;  ///< the child's; else one that says how it failed
+};
+
+/// What to keep of a child that came to its end, with what it left in `folder`: its own record or, where that is
+/// missing or nonsense, one with the signal, the exit code and the last lines of its log, or with what was wrong.
+EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double seconds,
+                        const std::filesystem::path& folder);
 
 /// Of a child that is beyond its limit of minutes or memory and has to be stopped; std::nullopt where it is within
 /// both.

@@ -221,13 +221,9 @@ class Runner {
   bool step(Active& active) {
     const double seconds = active.child.seconds();
     if (const std::optional<ChildExit> exit = active.child.poll()) {
-      const fs::path path = active.claim.folder() / "run.json";
-      const bool recorded = exit->signal == 0 && fs::exists(path);
-      const RunRecord record = recorded
-                                   ? read_record(path)
-                                   : without_record(active.request, *exit, seconds, active.claim.folder() / "log.txt");
-      if (exit->code == 3) ++summary_.data;
-      store(active, record, recorded, seconds);
+      const EndRecord end = record_of_end(active.request, *exit, seconds, active.claim.folder());
+      if (end.own && exit->code == 3) ++summary_.data;
+      store(active, end.record, end.own, seconds);
       return true;
     }
     const std::optional<RunRecord> record = beyond_limits(active.request, active.child);
@@ -239,7 +235,9 @@ class Runner {
 
   void store(Active& active, const RunRecord& record, bool recorded, double seconds) {
     if (!recorded) {
-      fs::remove(active.claim.folder() / "mesh.vtp");  // whatever there is of it may be half a mesh
+      // Whatever there is of them may be half of one.
+      fs::remove_all(active.claim.folder() / "mesh.vtp");
+      fs::remove_all(active.claim.folder() / "run.json");
       write_record(record, active.claim.folder() / "run.json");
     }
     active.claim.commit();

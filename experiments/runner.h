@@ -28,8 +28,8 @@ struct RunSummary {
 };
 
 /// Runs what is not done yet, and by no other process since this one began. A crash, a hang or a memory hog costs only
-/// its own run, which is recorded as such. SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and set
-/// `interrupted`.
+/// its own run, which is recorded as such. SIGINT, SIGTERM and SIGHUP stop the children, leave nothing half-done and
+/// set `interrupted`.
 RunSummary run_cells(const Store& store, const std::vector<RunRequest>& cells, const RunOptions& options,
                      Console& console);
 

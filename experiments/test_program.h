@@ -98,15 +98,17 @@ inline bool eventually(const std::function<bool()>& condition) {
   return false;
 }
 
-/// Whether any process was started with `text` among its arguments.
-inline bool process_mentions(const std::string& text) {
+/// The processes that were started with `text` among their arguments.
+inline std::vector<int> processes_mentioning(const std::string& text) {
+  std::vector<int> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     const std::string name = entry.path().filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    if (text_of(entry.path() / "cmdline").find(text) != std::string::npos) return true;
+    if (text_of(entry.path() / "cmdline").find(text) != std::string::npos) found.push_back(std::stoi(name));
   }
-  return false;
+  return found;
 }
+inline bool process_mentions(const std::string& text) { return !processes_mentioning(text).empty(); }
 
 inline RunRecord record_of(const std::filesystem::path& results, const std::string& start) {
   return read_record(run_folder(results, start) / "run.json");

@@ -26,7 +26,7 @@ int cell_verb(const CellArguments& arguments, const CommonArguments&) {
   if (request.match_to.empty() == arguments.match_vertices.has_value()) {
     throw UsageError("--match-vertices is for runs that are matched to another, and for all of these");
   }
-  inject_fault(request);
+  inject_fault(request, arguments.folder);
   PipeSink sink(arguments.progress_fd);
   Monitor monitor(&sink);
   const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);

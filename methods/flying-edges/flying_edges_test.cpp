@@ -20,7 +20,9 @@ TriangleMesh mesh_of(const Isosurface& surface) {
 
 TEST(FlyingEdgesTest, PhantomsAreClosedAndOutwardAndMeetTheirFigures) {
   for (const Phantom& p : phantoms()) {
-    const MeshFacts facts = mesh_facts(mesh_of(Isosurface(sample_phantom(p, 100), 0.0)));
+    // Chords of rims of 1 mm take as much off on the finer lattice as those of the slab's do on the other.
+    const int nodes = p.name == "thin-sheets" ? 160 : 100;
+    const MeshFacts facts = mesh_facts(mesh_of(Isosurface(sample_phantom(p, nodes), 0.0)));
     EXPECT_EQ(facts.open_edges, 0U) << p.name;
     EXPECT_EQ(facts.euler, p.euler) << p.name;
     EXPECT_EQ(facts.components, static_cast<std::size_t>(p.components)) << p.name;
