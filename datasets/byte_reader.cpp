@@ -124,14 +124,16 @@ bool ByteReader::read_line(std::string& line, std::size_t limit) {
   return true;
 }
 
-std::uintmax_t ByteReader::drain() {
-  std::vector<char> chunk(chunk_bytes);
-  std::uintmax_t total = 0;
-  while (const std::size_t got = read(chunk.data(), chunk.size())) total += got;
-  if (state_->encoding == Encoding::deflated && !state_->ended) {
+void ByteReader::finish() {
+  if (state_->encoding == Encoding::plain) return;
+  std::vector<char> rest(chunk_bytes);
+  if (read(rest.data(), rest.size()) == rest.size()) {
+    throw DataError(path_.string() +
+                    ": its compressed data go on long after the samples that its header promises; export it again");
+  }
+  if (!state_->ended) {
     throw DataError(path_.string() + ": truncated: its compressed data stop before their end; copy or export it again");
   }
-  return total;
 }
 
 std::uintmax_t ByteReader::possible_bytes() const {

@@ -17,10 +17,14 @@ struct Place {
 /// "file:line:column: ", shortened where a part is unknown; empty without a file.
 std::string to_string(const Place& place);
 
-/// Base of everything the user is told about; what() is the whole message.
+/// A text as a terminal, a table and JSON can take it: control characters and what is no UTF-8 as \xNN; of more than
+/// 1000 bytes the middle is left out.
+std::string printable(const std::string& text);
+
+/// Base of everything the user is told about; what() is the whole message, made printable() because it quotes files.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& message) : std::runtime_error(printable(message)) {}
 };
 
 /// A wrong command line, config or parameter: exit code 2.

@@ -13,6 +13,7 @@ namespace {
 /// Weights at 0, 1, …, radius, normalised so that the whole kernel sums to 1.
 std::vector<float> half_kernel(double sigma) {
   const int radius = static_cast<int>(std::lround(4.0 * sigma));
+  if (radius == 0) return {1.0F};  // also where the square of sigma would be 0
   std::vector<double> weights(static_cast<std::size_t>(radius) + 1);
   double sum = 0.0;
   for (int t = 0; t <= radius; ++t) {

@@ -6,6 +6,7 @@
 
 #include "datasets/error.h"
 #include "datasets/manifest_steps.h"
+#include "datasets/names.h"
 #include "datasets/phantoms.h"
 #include "datasets/sample_data.h"
 #include "datasets/sha256.h"
@@ -37,14 +38,31 @@ Choice parse_choice(const TomlValue& table, const char* key, std::initializer_li
   throw UsageError(value->place(), fmt::format("unknown {} '{}'{}", key, word, suggestion(word, words)));
 }
 
-/// A path from outside must stay where it is put: no root, no "..".
+/// A path from outside must stay where it is put: no root, no "..". Nor may it be taken for an option of the programs
+/// that unpack packages, or be more than a file system can name.
 std::filesystem::path parse_relative(const TomlValue& value) {
-  std::filesystem::path path(value.as_string());
+  const std::string text = value.as_string();
+  std::filesystem::path path(text);
   const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
   if (path.empty() || path.is_absolute() || climbs) {
-    throw UsageError(value.place(), fmt::format("'{}' must be a relative path without '..'", path.string()));
+    throw UsageError(value.place(), fmt::format("'{}' must be a relative path without '..'", text));
+  }
+  const bool long_part =
+      std::any_of(path.begin(), path.end(), [](const auto& part) { return part.string().size() > 200; });
+  if (text.front() == '-' || long_part || text.size() > 1000 || printable(text) != text) {
+    throw UsageError(value.place(), fmt::format("'{}' cannot be the path of a file here; rename it", text));
   }
   return path;
+}
+
+/// It goes to apt-get: a name as Debian's policy (5.6.1) has it, and so no option.
+ManifestPackage parse_package(const TomlValue& value, const std::optional<TomlValue>& archive) {
+  ManifestPackage package{value.as_string(), archive ? parse_relative(*archive).string() : ""};
+  const bool letters = package.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.") == std::string::npos;
+  if (package.name.size() < 2 || !letters || package.name.find_first_of("+-.") == 0) {
+    throw UsageError(value.place(), fmt::format("'{}' is not the name of a Debian package", package.name));
+  }
+  return package;
 }
 
 std::string parse_sha256(const TomlValue& value) {
@@ -100,7 +118,7 @@ void parse_data(const TomlValue& table, Manifest& manifest) {
   else if (manifest.beside.empty())
     manifest.folder = manifest.name;
   if (const auto package = table.find("package")) {
-    manifest.package = ManifestPackage{package->as_string(), string_or(table, "archive")};
+    manifest.package = parse_package(*package, table.find("archive"));
   }
   for (const TomlValue& file : table.require("files").as_array()) {
     manifest.files.push_back(parse_file(file, string_or(table, "address"), manifest.package));
@@ -131,7 +149,8 @@ ManifestPhantom parse_phantom(const TomlValue& table) {
     }
   }
   table.allow_keys(keys, "[phantom]");
-  chosen.nodes = parse_count(table.require("nodes"), 16);
+  // 2048³ samples are 32 GiB; more nodes are a slip of the pen.
+  chosen.nodes = parse_count(table.require("nodes"), 16, 2048);
   return chosen;
 }
 
@@ -146,6 +165,10 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
   manifest.name = name;
   if (name.ends_with(".toml")) {
     manifest.name = path.stem().string();
+    if (!is_plain_name(manifest.name)) {
+      throw UsageError(Place{path.string()},
+                       "its name becomes part of the names of folders; rename it to up to 100 plain characters");
+    }
     manifest.beside = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   }
   manifest.title = root.require("title").as_string();

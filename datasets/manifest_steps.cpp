@@ -14,15 +14,25 @@ namespace isobench {
 
 namespace {
 
+/// Samples are of single precision.
 double parse_finite(const TomlValue& value) {
   const double number = value.as_number();
-  if (!std::isfinite(number)) throw UsageError(value.place(), "a finite number is expected");
+  if (!(std::abs(number) <= std::numeric_limits<float>::max())) {
+    throw UsageError(value.place(), "a finite number is expected");
+  }
   return number;
 }
 
 int count_or(const TomlValue& table, const char* key, int otherwise, int least) {
   const auto found = table.find(key);
   return found ? parse_count(*found, least) : otherwise;
+}
+
+PrepareStep parse_gaussian(const TomlValue& table) {
+  const TomlValue sigma = table.require("sigma");
+  const Gaussian step{parse_triple(sigma)};
+  if (step.sigma.maxCoeff() > 1000.0) throw UsageError(sigma.place(), "sigma: at most 1000 voxels are possible");
+  return step;
 }
 
 PrepareStep parse_labels(const TomlValue& table) {
@@ -71,7 +81,7 @@ const std::map<std::string, StepParser>& step_parsers() {
       {"resample",
        {{"spacing"}, [](const TomlValue& t, Inside) { return Resample{parse_triple(t.require("spacing"))}; }}},
       {"signed-distance", {{}, [](const TomlValue&, Inside) { return SignedDistance{}; }}},
-      {"gaussian", {{"sigma"}, [](const TomlValue& t, Inside) { return Gaussian{parse_triple(t.require("sigma"))}; }}},
+      {"gaussian", {{"sigma"}, [](const TomlValue& t, Inside) { return parse_gaussian(t); }}},
       {"close-border", {{"to", "value", "layers"}, parse_close_border}},
       {"subsample",
        {{"factor"}, [](const TomlValue& t, Inside) { return Subsample{parse_count(t.require("factor"), 1)}; }}},
@@ -114,10 +124,11 @@ Eigen::Vector3d parse_triple(const TomlValue& value) {
   return triple;
 }
 
-int parse_count(const TomlValue& value, int least) {
+int parse_count(const TomlValue& value, int least, int most) {
   const std::int64_t count = value.as_integer();
-  if (count < least || count > std::numeric_limits<int>::max()) {
-    throw UsageError(value.place(), fmt::format("an integer of at least {} is expected, found {}", least, count));
+  if (count < least || count > most) {
+    const std::string limit = count > most ? fmt::format("at most {}", most) : fmt::format("at least {}", least);
+    throw UsageError(value.place(), fmt::format("an integer of {} is expected, found {}", limit, count));
   }
   return static_cast<int>(count);
 }

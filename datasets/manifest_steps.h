@@ -1,6 +1,7 @@
 // The preparation chain of a manifest: prepare = [ { step = "pad", voxels = 4 }, … ].
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "datasets/isosurface.h"
@@ -15,7 +16,7 @@ std::vector<PrepareStep> parse_steps(const TomlValue& list, Inside inside);
 /// A number for all axes, or three; each must be > 0.
 Eigen::Vector3d parse_triple(const TomlValue& value);
 
-/// An integer of at least `least` that fits an int.
-int parse_count(const TomlValue& value, int least);
+/// An integer from `least` to `most`.
+int parse_count(const TomlValue& value, int least, int most = std::numeric_limits<int>::max());
 
 }  // namespace isobench

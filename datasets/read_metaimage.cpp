@@ -108,10 +108,12 @@ Volume read_metaimage(const std::filesystem::path& path) {
   const std::filesystem::path data_path = path.parent_path() / file;
   const std::uintmax_t bytes = nodes * bytes_of(*type);
   std::error_code error;
-  const std::uintmax_t file_bytes = std::filesystem::file_size(data_path, error);
-  // A HeaderSize of -1 means that the data are the end of the file.
-  const std::uintmax_t offset =
-      skip >= 0.0 ? static_cast<std::uintmax_t>(skip) : file_bytes - std::min(bytes, file_bytes);
+  std::uintmax_t file_bytes = std::filesystem::file_size(data_path, error);
+  if (error) file_bytes = 0;  // which is said when it is opened
+  // A HeaderSize of -1 means that the data are the end of the file; one beyond the file is its end.
+  const std::uintmax_t offset = skip >= 0.0
+                                    ? static_cast<std::uintmax_t>(std::min(skip, static_cast<double>(file_bytes)))
+                                    : file_bytes - std::min(bytes, file_bytes);
   ByteReader data(data_path, encoding, offset);
   read(data);
   return volume;

@@ -15,7 +15,7 @@ namespace isobench {
 /// volume, or whose samples are not finite.
 Volume read_volume(const std::filesystem::path& path);
 
-enum class SampleType { u8, i8, u16, i16, u32, i32, f32, f64 };
+enum class SampleType { u8, i8, u16, i16, u32, i32, f32, f64, i64, u64 };
 enum class ByteOrder { little, big };
 
 /// What a file without a header does not say of itself.

@@ -42,6 +42,11 @@ Taps taps_of(int count, double from, double to, int axis) {
 }
 
 Volume with_size(const Volume& volume, const std::array<int, 3>& size, float value = 0.0F) {
+  // As for files: 2^40 nodes are beyond any volume, and beyond 2^64 their number is not theirs any more.
+  if (static_cast<double>(size[0]) * size[1] * size[2] > static_cast<double>(1LL << 40U)) {
+    throw DataError(fmt::format("a volume of {} × {} × {} nodes would be too large; pad or resample it less", size[0],
+                                size[1], size[2]));
+  }
   Volume result;
   result.lattice = volume.lattice;
   result.lattice.size = size;

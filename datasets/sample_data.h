@@ -31,9 +31,9 @@ class ByteReader {
   std::size_t read(char* bytes, std::size_t count);
   /// One line without its end ("\n" or "\r\n"), at most `limit` bytes; false where the data end.
   bool read_line(std::string& line, std::size_t limit = 65536);
-  /// Reads on to the end and returns how many bytes that were. Throws DataError if a compressed stream stops before its
-  /// own end mark or its checksum does not match.
-  std::uintmax_t drain();
+  /// Of a compressed stream: reads on to its end. Throws DataError if it stops before its own end mark, its checksum
+  /// does not match, or it goes on for more than a mebibyte (a few kilobytes inflate to gigabytes of zeros).
+  void finish();
   /// The most bytes that can still follow: deflate shrinks by a factor of at most 1032.
   std::uintmax_t possible_bytes() const;
   /// How many bytes of the file itself, from its beginning, were handed out; for plain files only.
@@ -49,11 +49,16 @@ class ByteReader {
 
 std::size_t bytes_of(SampleType type);
 
+/// `count` numbers, for float and double, out of bytes that hold as many of the type.
+template <class Number>
+void convert_samples(const char* bytes, std::size_t count, SampleType type, ByteOrder order, Number* numbers);
+
 /// "unsigned short", "u16", "uint16" and the like; std::nullopt for a name that is none of them.
 std::optional<SampleType> sample_type(const std::string& name);
 
 /// Appends `count` samples to `samples` and makes sure that a compressed stream ends whole. Throws DataError if the
-/// file holds fewer; what it can hold is checked before anything is allocated, so a hostile size costs nothing.
+/// file holds fewer; what it can hold is checked before anything is allocated, and memory is taken as samples arrive,
+/// so a hostile size costs nothing.
 void read_samples(ByteReader& reader, std::size_t count, SampleType type, ByteOrder order, std::vector<float>& samples);
 
 /// `count` numbers written as text.

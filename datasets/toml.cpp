@@ -100,7 +100,10 @@ void TomlValue::fail(const std::string& expected) const {
 
 double TomlValue::as_number() const {
   if (!is_number()) fail("number");
-  const double value = as_node(node_).value<double>().value();
+  // The library hands out no double for an integer that is none exactly, such as 2^53 + 1.
+  const auto* integer = as_node(node_).as_integer();
+  const double value =
+      integer != nullptr ? static_cast<double>(integer->get()) : as_node(node_).as_floating_point()->get();
   if (std::isnan(value)) throw UsageError(place(), "'" + name_ + "' must be a number, not nan");
   return value;
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "datasets/catalogue.h"
+#include "datasets/names.h"
 #include "experiments/config_parts.h"
 #include "methods/method.h"
+#include "reports/published.h"
 
 namespace isobench {
 
@@ -43,6 +45,14 @@ std::vector<std::uint64_t> read_seeds(const TomlValue& value) {
   return seeds;
 }
 
+// Titles and labels stand in tables, pages and terminals.
+void check_line(const TomlValue& value, const std::string& what, std::size_t longest) {
+  const std::string text = value.as_string();
+  if (text.size() > longest || printable(text) != text) {
+    throw UsageError(value.place(), fmt::format("{} must be one printable line of up to {} bytes", what, longest));
+  }
+}
+
 MethodEntry read_method(const TomlValue& table) {
   const TomlValue name = table.require("name");
   const Method& found = method(name.as_string(), name.place());
@@ -58,6 +68,7 @@ MethodEntry read_method(const TomlValue& table) {
     entry.label = label->as_string();
     entry.place = label->place();
     if (entry.label.empty()) throw UsageError(label->place(), "label is empty; leave it out or give it a text");
+    check_line(*label, "label", 100);
   }
   for (const ParameterSpec& spec : found.parameters) {
     const std::optional<TomlValue> value = table.find(spec.name);
@@ -201,9 +212,10 @@ std::filesystem::path read_published_path(const TomlValue& table, const std::fil
   table.allow_keys({"source"}, "[published]");
   const TomlValue source = table.require("source");
   std::filesystem::path path = folder / source.as_string();
-  if (!std::filesystem::exists(path)) {
+  if (!std::filesystem::is_regular_file(path)) {
     throw UsageError(source.place(), "no file '" + path.string() + "' of published figures (sought beside the config)");
   }
+  read_published(path);  // a mistake in it shows now, and nothing else is ever copied into a results folder
   return path;
 }
 
@@ -280,8 +292,15 @@ Config read_config(const std::filesystem::path& path, Size size) {
                       "an experiment");
   Config config;
   config.name = path.stem().string();
+  if (!is_plain_name(config.name)) {
+    throw UsageError(Place{path.string()},
+                     "its name becomes that of the results folder; rename it to up to 100 plain characters");
+  }
   config.title = config.name;
-  if (const auto title = document.find("title")) config.title = title->as_string();
+  if (const auto title = document.find("title")) {
+    check_line(*title, "title", 1000);
+    config.title = title->as_string();
+  }
   config.datasets = read_datasets(document.require("dataset"));
   if (const auto seeds = document.find("seed")) config.seeds = read_seeds(*seeds);
   if (const auto repeats = document.find("repeats")) config.repeats = read_repeats(*repeats);

@@ -9,9 +9,10 @@ namespace {
 std::string toml(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n')
-      result += "\\n";
+    if (code < 0x20U || code == 0x7FU)
+      result += fmt::format("\\u{:04x}", code);
     else
       result += c;
   }

@@ -123,6 +123,25 @@ std::pair<Sampling, Limits> resolve(const Config& config, const std::string& dat
   return {sampling, limits};
 }
 
+// What a slip of the pen asks for, before it fills the memory.
+constexpr double most_runs = 100000.0;
+
+void check_number(double runs) {
+  if (runs > most_runs) {
+    throw UsageError(
+        fmt::format("this experiment asks for {:.0f} runs or more where at most {:.0f} are possible; shorten "
+                    "its lists or make several experiments of it",
+                    runs, most_runs));
+  }
+}
+
+double number_of_runs(const Config& config, const MethodEntry& entry, const Sampling& sampling) {
+  const auto of = [](const auto& list) { return static_cast<double>(list.size()); };
+  double runs = of(config.seeds) * config.repeats * of(config.reference_k) * std::max(of(sampling.floor), 1.0);
+  for (const auto& [name, values] : entry.parameters) runs *= of(values);
+  return runs * (of(sampling.epsilon) * of(sampling.delta) + of(sampling.edge_length) + of(sampling.vertices));
+}
+
 void add_seeds(const Config& config, RunRequest request, std::vector<RunRequest>& runs) {
   for (const std::uint64_t seed : config.seeds) {
     request.seed = seed;
@@ -137,6 +156,7 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
                                 const Change& change) {
   const Method& found = method(entry.name, entry.place);
   const auto [sampling, limits] = resolve(config, dataset, entry, change);
+  check_number(number_of_runs(config, entry, sampling));
   std::vector<int> references = config.reference_k;
   if (change.of("reference")) references = {static_cast<int>(std::get<double>(change.value))};
   RunRequest request;
@@ -233,6 +253,7 @@ std::vector<RunRequest> make_plan(const Config& config) {
           add_base(runs, seen, plan);
         else
           add_variation(runs, seen, plan);
+        check_number(static_cast<double>(plan.size()));
       }
     }
   }

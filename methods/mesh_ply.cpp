@@ -148,12 +148,12 @@ PlyHeader read_header(std::string_view text, const std::filesystem::path& path) 
 
 void read_vertices(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, TriangleMesh& mesh) {
   constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-  std::size_t found = 0;
+  std::array<int, 3> found{};
   for (const PlyProperty& property : element.properties) {
     if (property.count_type) bad_mesh(path, "vertices with lists cannot be read");
-    if (std::find(kAxes.begin(), kAxes.end(), property.name) != kAxes.end()) ++found;
+    for (std::size_t axis = 0; axis < 3; ++axis) found[axis] += property.name == kAxes[axis] ? 1 : 0;
   }
-  if (found != 3) bad_mesh(path, "its vertices do not have the properties x, y and z");
+  if (found != std::array<int, 3>{1, 1, 1}) bad_mesh(path, "its vertices do not have the properties x, y and z");
   for (long v = 0; v < element.count; ++v) {
     Eigen::Vector3d& vertex = mesh.vertices.emplace_back();
     for (const PlyProperty& property : element.properties) {

@@ -80,6 +80,7 @@ TriangleMesh read_ascii(std::string_view text, const std::filesystem::path& path
     }
   }
   if (!complete) bad_mesh(path, "ends without endsolid; it is truncated");
+  if (!merger.between_triangles()) bad_mesh(path, "its last triangle lacks a corner; only triangles can be read");
   return merger.take();
 }
 

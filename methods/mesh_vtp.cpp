@@ -5,14 +5,13 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <limits>
-#include <new>
 
 #include "datasets/error.h"
 #include "datasets/vtk_messages.h"
+#include "datasets/vtk_xml.h"
 #include "methods/mesh_formats.h"
 
 namespace isobench {
@@ -31,66 +30,85 @@ void add_arrays(const DataArrays& arrays, vtkFieldData& target) {
   }
 }
 
-// Scalars only: normals and the like have no place in TriangleMesh.
-DataArrays scalar_arrays(vtkFieldData& source, std::size_t count) {
-  DataArrays arrays;
-  for (int a = 0; a < source.GetNumberOfArrays(); ++a) {
-    vtkDataArray* array = source.GetArray(a);
-    if (array == nullptr || array->GetName() == nullptr || array->GetNumberOfComponents() != 1) continue;
-    if (static_cast<std::size_t>(array->GetNumberOfTuples()) != count) continue;
-    std::vector<double>& values = arrays[array->GetName()];
-    for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n) values.push_back(array->GetTuple1(n));
-  }
-  return arrays;
-}
-
-std::uint32_t to_index(vtkIdType id) {
+std::uint32_t to_index(double id) {
   // What does not fit becomes an index that no mesh has, for read_mesh() to report.
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  return id < 0 || id >= kNone ? kNone : static_cast<std::uint32_t>(id);
+  return id >= 0.0 && id < kNone ? static_cast<std::uint32_t>(id) : kNone;
 }
 
-TriangleMesh from_vtk(vtkPolyData& data, const std::filesystem::path& path) {
-  TriangleMesh mesh;
-  for (vtkIdType v = 0; v < data.GetNumberOfPoints(); ++v) {
-    Eigen::Vector3d& vertex = mesh.vertices.emplace_back();
-    data.GetPoint(v, vertex.data());
+const VtkElement& array_of(const VtkXmlFile& file, const VtkElement& parent, const std::string& name) {
+  for (const VtkElement& array : parent.children) {
+    if (array.name == "DataArray" && (name.empty() || array.attribute("Name") == name)) return array;
   }
-  if (data.GetNumberOfVerts() + data.GetNumberOfLines() + data.GetNumberOfStrips() > 0) {
-    bad_mesh(path, "holds points, lines or strips; only triangles can be read");
+  file.fail(name.empty() ? "its points have no coordinates" : "its polygons have no " + name);
+}
+
+void add_points(const VtkXmlFile& file, const VtkElement& piece, std::size_t count, TriangleMesh& mesh) {
+  const VtkElement* points = piece.child("Points");
+  if (count == 0) return;
+  if (points == nullptr) file.fail("its points have no coordinates");
+  const std::vector<double> coordinates = file.numbers<double>(array_of(file, *points, ""), 3 * count);
+  for (std::size_t v = 0; v < count; ++v) mesh.vertices.emplace_back(coordinates.data() + 3 * v);
+}
+
+/// `first` is the number of the piece's first point.
+void add_triangles(const VtkXmlFile& file, const VtkElement& piece, std::size_t count, std::size_t first,
+                   TriangleMesh& mesh) {
+  const VtkElement* polygons = piece.child("Polys");
+  if (count == 0) return;
+  if (polygons == nullptr) file.fail("its polygons have no corners");
+  const std::vector<double> ends = file.numbers<double>(array_of(file, *polygons, "offsets"), count);
+  for (std::size_t t = 0; t < count; ++t) {
+    if (ends[t] != static_cast<double>(3 * (t + 1))) file.fail("holds polygons other than triangles");
   }
-  vtkCellArray* cells = data.GetPolys();
-  for (vtkIdType t = 0; t < cells->GetNumberOfCells(); ++t) {
-    vtkIdType corners = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCellAtId(t, corners, ids);
-    if (corners != 3) bad_mesh(path, "holds polygons other than triangles");
-    mesh.triangles.push_back({to_index(ids[0]), to_index(ids[1]), to_index(ids[2])});
+  const std::vector<double> corners = file.numbers<double>(array_of(file, *polygons, "connectivity"), 3 * count);
+  const auto offset = static_cast<double>(first);
+  for (std::size_t t = 0; t < count; ++t) {
+    Triangle& triangle = mesh.triangles.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double corner = corners[3 * t + c];
+      triangle[c] = to_index(corner < 0.0 ? corner : corner + offset);
+    }
   }
-  mesh.vertex_data = scalar_arrays(*data.GetPointData(), mesh.vertices.size());
-  mesh.triangle_data = scalar_arrays(*data.GetCellData(), mesh.triangles.size());
-  return mesh;
+}
+
+/// Scalars only: normals and the like have no place in TriangleMesh. What not every piece has, none has.
+void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t count, std::size_t before,
+              DataArrays& arrays) {
+  if (source != nullptr) {
+    for (const VtkElement& array : source->children) {
+      const std::string name = array.attribute("Name");
+      if (array.name != "DataArray" || name.empty() || !VtkXmlFile::is_numeric(array)) continue;
+      if (array.attribute("NumberOfComponents", "1") != "1" || (before > 0 && !arrays.contains(name))) continue;
+      if (arrays[name].size() != before) continue;  // two of one name: the first
+      const std::vector<double> values = file.numbers<double>(array, count);
+      arrays[name].insert(arrays[name].end(), values.begin(), values.end());
+    }
+  }
+  std::erase_if(arrays, [&](const auto& entry) { return entry.second.size() != before + count; });
 }
 
 }  // namespace
 
 TriangleMesh read_vtp(const std::filesystem::path& path) {
-  // VTK would take any XML of its own for a mesh, and crash on some of it.
-  if (read_bytes(path).substr(0, 4096).find("PolyData") == std::string::npos) {
-    bad_mesh(path, "is no VTP file: it does not announce PolyData");
+  read_bytes(path);  // which says so where there is nothing to read
+  const VtkXmlFile file(path, "PolyData");
+  TriangleMesh mesh;
+  for (const VtkElement& piece : file.data().children) {
+    if (piece.name != "Piece") continue;
+    for (const char* others : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}) {
+      if (file.count(piece, others) > 0) file.fail("holds points, lines or strips; only triangles can be read");
+    }
+    const std::size_t vertices = mesh.vertices.size();
+    const std::size_t triangles = mesh.triangles.size();
+    const std::size_t points = file.count(piece, "NumberOfPoints");
+    const std::size_t polygons = file.count(piece, "NumberOfPolys");
+    add_points(file, piece, points, mesh);
+    add_triangles(file, piece, polygons, vertices, mesh);
+    add_data(file, piece.child("PointData"), points, vertices, mesh.vertex_data);
+    add_data(file, piece.child("CellData"), polygons, triangles, mesh.triangle_data);
   }
-  const VtkMessages messages;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  try {
-    reader->Update();
-  } catch (const std::bad_alloc&) {
-    bad_mesh(path, "is damaged: it announces more data than memory can hold");
-  }
-  if (messages.failed() || reader->GetErrorCode() != 0) {
-    bad_mesh(path, "is damaged or truncated (VTK: " + messages.first_error() + ")");
-  }
-  return from_vtk(*reader->GetOutput(), path);
+  return mesh;
 }
 
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path) {

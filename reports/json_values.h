@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "datasets/error.h"
 #include "reports/record.h"
 
 namespace isobench {
@@ -19,15 +21,35 @@ inline Json number(double value) { return std::isfinite(value) ? Json(value) : J
 inline void read(const Json& json, double& value) {
   value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
+// The library's own get<int>() takes 1e300, "true" and 2^40 for an int without a word.
+template <class Integer>
+Integer integer(const Json& json) {
+  const bool fits = json.is_number_unsigned()
+                        ? std::in_range<Integer>(json.get<std::uint64_t>())
+                        : json.is_number_integer() && std::in_range<Integer>(json.get<std::int64_t>());
+  if (!fits)
+    throw DataError(json.dump().substr(0, 40) + " stands where a whole number should, or is too large for one");
+  return json.get<Integer>();
+}
+template <class Integer>
+std::vector<Integer> integers(const Json& json) {
+  std::vector<Integer> values;
+  for (const Json& value : json) values.push_back(integer<Integer>(value));
+  return values;
+}
+
 template <class Integer>
 void read(const Json& json, Integer& value) {
-  value = json.get<Integer>();
+  value = integer<Integer>(json);
 }
 
 inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 inline std::optional<double> optional_number(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
 }
+
+// Notes and reasons may quote what is no UTF-8, for which the library would throw.
+inline std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 // Runs `body`, turning whatever the JSON library has to say into one sentence about `origin`.
 template <class Body>

@@ -1,4 +1,5 @@
 // plan.json, and a run's request within run.json.
+#include "datasets/names.h"
 #include "reports/json_values.h"
 
 namespace isobench {
@@ -51,13 +52,31 @@ Json request_to_json(const RunRequest& r) {
           {"limit_memory_gb", number(r.limit_memory_gb)}};
 }
 
+namespace {
+
+// These become names of folders that are made, replaced and removed, and sizes of what is computed: a folder of results
+// may come from anybody.
+void check(const RunRequest& r) {
+  for (const std::string& name : {std::filesystem::path(r.dataset).stem().string(), r.method}) {
+    if (!is_plain_name(name)) throw DataError("'" + name + "' cannot be the name of a dataset or a method");
+  }
+  for (const std::string& name : {r.run, r.match_to.empty() ? r.run : r.match_to}) {
+    if (!is_plain_name(name, 240)) throw DataError("'" + name + "' cannot be the name of a run's folder");
+  }
+  if (r.reference_k < 1 || r.reference_k > 8)
+    throw DataError(fmt::format("reference_k is {}, not 1..8", r.reference_k));
+  if (r.repeat < 1) throw DataError(fmt::format("repeat is {}, not at least 1", r.repeat));
+}
+
+}  // namespace
+
 RunRequest request_from_json(const Json& json) {
   RunRequest r;
   r.run = json.at("run").get<std::string>();
   r.dataset = json.at("dataset").get<std::string>();
   r.dataset_checksum = json.at("dataset_checksum").get<std::string>();
   r.method = json.at("method").get<std::string>();
-  r.method_revision = json.at("method_revision").get<int>();
+  r.method_revision = integer<int>(json.at("method_revision"));
   r.label = json.at("label").get<std::string>();
   r.parameters = parameters_from_json(json.at("parameters"));
   r.sizing.epsilon = optional_number(json.at("epsilon"));
@@ -66,20 +85,22 @@ RunRequest request_from_json(const Json& json) {
   r.sizing.edge_length = optional_number(json.at("edge_length"));
   r.sizing.vertices = optional_number(json.at("vertices"));
   r.match_to = json.value("match_to", "");  // plans of before there was matching have none
-  r.seed = json.at("seed").get<std::uint64_t>();
-  r.repeat = json.value("repeat", 1);  // plans of before there were repeats have none
+  r.seed = integer<std::uint64_t>(json.at("seed"));
+  if (json.contains("repeat"))
+    r.repeat = integer<int>(json.at("repeat"));  // plans of before there were repeats have none
   r.alone = json.value("alone", false);
-  r.reference_k = json.at("reference_k").get<int>();
-  r.metrics_revision = json.at("metrics_revision").get<int>();
+  r.reference_k = integer<int>(json.at("reference_k"));
+  r.metrics_revision = integer<int>(json.at("metrics_revision"));
   r.limit_minutes = optional_number(json.at("limit_minutes"));
   r.limit_memory_gb = optional_number(json.at("limit_memory_gb"));
+  check(r);
   return r;
 }
 
 std::string plan_to_json(const std::vector<RunRequest>& plan) {
   Json json = {{"schema_version", RunRecord::schema_version}, {"runs", Json::array()}};
   for (const RunRequest& request : plan) json["runs"].push_back(request_to_json(request));
-  return json.dump(1) + "\n";
+  return text_of(json);
 }
 
 std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin) {

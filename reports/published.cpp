@@ -1,6 +1,7 @@
 #include "reports/published.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "datasets/toml.h"
@@ -42,7 +43,7 @@ void parse_printed(PublishedFigure& figure) {
   }
   char* end = nullptr;
   const double value = std::strtod(number.c_str(), &end);
-  if (end == number.c_str() || *end != '\0') return;
+  if (end == number.c_str() || *end != '\0' || !std::isfinite(value)) return;
   figure.value = value;
   const std::size_t point = number.find('.');
   figure.decimals = point == std::string::npos ? 0 : static_cast<int>(number.size() - point - 1);

@@ -24,8 +24,9 @@ std::string to_string(Status status) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
+  // Opening a folder succeeds, only reading from it fails.
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw DataError(path.string() + ": cannot be read");
+  if (!file || std::filesystem::is_directory(path)) throw DataError(path.string() + ": cannot be read");
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -1,4 +1,6 @@
 // run.json.
+#include <algorithm>
+
 #include "reports/figures.h"
 #include "reports/json_values.h"
 
@@ -27,7 +29,7 @@ Environment environment_from_json(const Json& json) {
   e.libraries = json.at("libraries").get<std::map<std::string, std::string>>();
   e.host = json.at("host").get<std::string>();
   e.cpu = json.at("cpu").get<std::string>();
-  e.cores = json.at("cores").get<int>();
+  e.cores = integer<int>(json.at("cores"));
   read(json.at("load"), e.load);
   return e;
 }
@@ -53,7 +55,9 @@ DatasetRecord dataset_from_json(const Json& json) {
   d.title = json.at("title").get<std::string>();
   d.source = json.at("source").get<std::string>();
   d.preparation = json.at("preparation").get<std::vector<std::string>>();
-  d.lattice.size = json.at("size").get<std::array<int, 3>>();
+  const std::vector<int> size = integers<int>(json.at("size"));
+  if (size.size() != 3) throw DataError("a lattice has three sizes");
+  std::copy(size.begin(), size.end(), d.lattice.size.begin());
   d.lattice.spacing = vector_from_json(json.at("spacing"));
   d.lattice.origin = vector_from_json(json.at("origin"));
   for (int axis = 0; axis < 3; ++axis) d.lattice.direction.col(axis) = vector_from_json(json.at("direction").at(axis));
@@ -91,9 +95,9 @@ Measurement measurement_from_json(const Json& figures, const Json& histograms) {
     const Json& json = histograms.at(name);
     histogram.low = json.at("low").get<double>();
     histogram.high = json.at("high").get<double>();
-    histogram.counts = json.at("counts").get<std::vector<std::size_t>>();
+    histogram.counts = integers<std::size_t>(json.at("counts"));
   });
-  measurement.valence.counts = histograms.at("valence").at("counts").get<std::vector<std::size_t>>();
+  measurement.valence.counts = integers<std::size_t>(histograms.at("valence").at("counts"));
   return measurement;
 }
 
@@ -177,7 +181,7 @@ Json record_to_json(const RunRecord& record) {
 }
 
 RunRecord record_from(const Json& json) {
-  const int schema = json.at("schema_version").get<int>();
+  const int schema = integer<int>(json.at("schema_version"));
   if (schema != RunRecord::schema_version) {
     throw DataError(
         fmt::format("its schema is version {}, this program reads version {}", schema, RunRecord::schema_version));
@@ -187,7 +191,7 @@ RunRecord record_from(const Json& json) {
   record.reason = json.at("reason").get<std::string>();
   record.started = json.at("started").get<std::string>();
   record.request = request_from_json(json.at("request"));
-  record.threads = json.at("threads").get<int>();
+  record.threads = integer<int>(json.at("threads"));
   record.deterministic = json.at("deterministic").get<bool>();
   record.environment = environment_from_json(json.at("environment"));
   if (json.contains("dataset")) record.dataset = dataset_from_json(json.at("dataset"));
@@ -195,7 +199,7 @@ RunRecord record_from(const Json& json) {
     const Json& match = json.at("match");
     read(match.at("vertices"), record.match.emplace().vertices);
     read(match.at("scale"), record.match->scale);
-    record.match->tries = match.at("tries").get<int>();
+    record.match->tries = integer<int>(match.at("tries"));
     record.match->reason = match.at("reason").get<std::string>();
   }
   if (json.contains("sizing")) {
@@ -225,9 +229,9 @@ RunRecord record_from(const Json& json) {
 
 }  // namespace
 
-std::string to_json(const RunRecord& record) { return record_to_json(record).dump(1) + "\n"; }
+std::string to_json(const RunRecord& record) { return text_of(record_to_json(record)); }
 
-std::string to_json(const Measurement& measurement) { return figures_to_json(measurement).dump(1) + "\n"; }
+std::string to_json(const Measurement& measurement) { return text_of(figures_to_json(measurement)); }
 
 RunRecord record_from_json(const std::string& text, const std::string& origin) {
   return located(origin, "run record", [&] { return record_from(Json::parse(text)); });

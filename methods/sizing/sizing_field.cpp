@@ -130,6 +130,8 @@ void check(const SizingRequest& request) {
   require_positive(request.floor, "floor");
   require_positive(request.edge_length, "edge_length");
   require_positive(request.vertices, "vertices");
+  // Triangles name them by 32 bits.
+  if (request.vertices.value_or(0.0) > 4e9) throw UsageError("vertices must be at most 4e9");
 }
 
 SizingField::SizingField(std::shared_ptr<const Band> band, std::vector<float> h0, std::vector<float> h, double floor)
