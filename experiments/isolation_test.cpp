@@ -46,7 +46,7 @@ void write_experiment(const TestFolder& folder) {
   folder.write("bad.toml",
                fmt::format("dataset = [{}]\n[sampling]\nedge_length = 5\n[limits]\nminutes = 5\n"
                            "memory_gb = 0.5\n[[override]]\ndataset = \"hang\"\nmethod = \"marching-cubes\"\n"
-                           "limits = { minutes = 0.08 }\n[[method]]\nname = \"marching-cubes\"\n[[method]]\n"
+                           "limits = {{ minutes = 0.08 }}\n[[method]]\nname = \"marching-cubes\"\n[[method]]\n"
                            "name = \"flying-edges\"\n",
                            datasets));
 }

@@ -81,7 +81,7 @@ void delaunay_triangulation_labelled(benchmark::State& state) {
   Monitor monitor;
   relaxed();
   for ([[maybe_unused]] auto _ : state)
-    benchmark::DoNotOptimize(labelled_delaunay(relaxed().points, surface(), monitor));
+    benchmark::DoNotOptimize(LabelledDelaunay(relaxed().points, surface(), monitor).triangles());
   per_particle(state);
 }
 BENCHMARK(delaunay_triangulation_labelled)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -6,6 +6,7 @@
 #include "methods/labelled_delaunay.h"
 #include "methods/marching-cubes/marching_cubes.h"
 #include "methods/particles/biased_population.h"
+#include "methods/particles/cure.h"
 #include "methods/particles/gauss_seidel.h"
 #include "methods/particles/population.h"
 #include "methods/particles/relaxation.h"
@@ -39,9 +40,7 @@ double contraction(const MeshingTask& task) {
   return task.sizing.uniform() ? 1.0 : g;
 }
 
-Particles seed(const MeshingTask& task, const Spacing& spacing, Monitor& monitor) {
-  const auto stage = monitor.stage("seeds");
-  const TriangleMesh lattice_mesh = marching_cubes(task.surface, monitor);
+Particles seed(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh, Monitor& monitor) {
   std::vector<Eigen::Vector3d> points;
   if (chosen(task, "seeds", "marching-cubes")) {
     points = lattice_seeds(task.surface, lattice_mesh);
@@ -98,7 +97,32 @@ void show(const Particles& all, Monitor& monitor) {
   monitor.artefact("particles", {all.points, {{"h", all.spacing}, {"energy", energies(all, acting_neighbours(all))}}});
 }
 
-TriangleMesh close(const MeshingTask& task, Particles& all, Monitor& monitor) {
+void book(const Defects& defects, const std::string& when, Monitor& monitor) {
+  monitor.set("cure/pinched " + when, static_cast<double>(defects.pinched));
+  monitor.set("cure/isolated " + when, static_cast<double>(defects.isolated));
+  monitor.set("cure/tilted " + when, static_cast<double>(defects.tilted));
+  monitor.set("cure/crossed " + when, static_cast<double>(defects.crossed));
+  monitor.set("cure/lost components " + when, static_cast<double>(defects.lost));
+}
+
+std::vector<Triangle> close_labelled(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh,
+                                     Particles& all, Monitor& monitor) {
+  LabelledDelaunay delaunay(all.points, task.surface, monitor);
+  const int rounds = task.parameters.integer("cure");
+  if (rounds > 0) {
+    const auto stage = monitor.stage("cure");
+    const Cure cured = cure(task.surface, spacing, lattice_mesh, all, delaunay, rounds, monitor);
+    book(cured.before, "before", monitor);
+    book(cured.after, "after", monitor);
+    monitor.set("cure/rounds", cured.rounds);
+    monitor.set("cure/inserted", static_cast<double>(cured.inserted));
+    monitor.set("cure/labels changed", static_cast<double>(cured.flipped));
+  }
+  return delaunay.triangles();
+}
+
+TriangleMesh close(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& all,
+                   Monitor& monitor) {
   TriangleMesh result;
   if (chosen(task, "surface", "tight-cocone")) {
     const bool poles = chosen(task, "normals", "poles");
@@ -111,7 +135,7 @@ TriangleMesh close(const MeshingTask& task, Particles& all, Monitor& monitor) {
     monitor.set("cocone/conflicts", static_cast<double>(closed.conflicts));
     monitor.set("cocone/transparent", static_cast<double>(closed.transparent));
   } else {
-    result.triangles = labelled_delaunay(all.points, task.surface, monitor).triangles;
+    result.triangles = close_labelled(task, spacing, lattice_mesh, all, monitor);
   }
   result.vertices = std::move(all.points);
   monitor.set("particles/unused", static_cast<double>(drop_unused_vertices(result)));
@@ -133,6 +157,14 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       stage("relaxation", preset.relaxation, "how particles move, split and vanish", {"newton", "gauss-seidel"}),
       stage("surface", preset.surface, "what closes the particles", {"labelled-delaunay", "tight-cocone"}),
       stage("normals", "poles", "of tight-cocone: from the Voronoi diagram or from F", {"poles", "gradient"}),
+      {"cure",
+       preset.cure,
+       "",
+       "of labelled-delaunay: rounds, at most, in which particles are added where its topology is not the surface's",
+       0.0,
+       100.0,
+       {},
+       true},
       {"contraction",
        1.5,
        "",
@@ -173,7 +205,13 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   const auto field = sizing_field(task, monitor);
   const Spacing spacing{*field, contraction(task)};
-  Particles all = seed(task, spacing, monitor);
+  TriangleMesh lattice_mesh;
+  Particles all;
+  {
+    const auto stage = monitor.stage("seeds");
+    lattice_mesh = marching_cubes(task.surface, monitor);
+    all = seed(task, spacing, lattice_mesh, monitor);
+  }
   {
     const auto stage = monitor.stage("relaxation");
     if (chosen(task, "relaxation", "gauss-seidel"))
@@ -183,7 +221,7 @@ TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   }
   show(all, monitor);
   const auto stage = monitor.stage("triangulation");
-  return close(task, all, monitor);
+  return close(task, spacing, lattice_mesh, all, monitor);
 }
 
 }  // namespace isobench::particles

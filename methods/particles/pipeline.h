@@ -15,6 +15,7 @@ struct Preset {
   std::string seeds;        ///< "elimination", "marching-cubes"
   std::string relaxation;   ///< "newton", "gauss-seidel", each with its own control of the population
   std::string surface;      ///< "labelled-delaunay", "tight-cocone"
+  double cure = 0.0;        ///< rounds, at most, in which particles are added to cure the triangulation
 };
 
 /// The parameters of a method with these stages as its defaults.

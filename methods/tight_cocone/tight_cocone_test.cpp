@@ -64,7 +64,7 @@ TEST_P(TightCoconeOf, IsTheLabelledDelaunaySurfaceOfADenseSample) {
   Monitor monitor;
   const TightCocone by_poles = tight_cocone(sample.points.points, monitor);
   const TightCocone by_gradient = tight_cocone(sample.points.points, sample.points.normals, monitor);
-  const auto labelled = sorted(labelled_delaunay(sample.points.points, sample.surface, monitor).triangles);
+  const auto labelled = sorted(LabelledDelaunay(sample.points.points, sample.surface, monitor).triangles());
   EXPECT_EQ(sorted(by_poles.triangles), labelled);
   EXPECT_EQ(sorted(by_gradient.triangles), labelled);
   EXPECT_EQ(by_poles.bad, 0U);
@@ -83,7 +83,7 @@ TEST(TightCocone, DiffersFromTheLabelledDelaunaySurfaceInSliversOnly) {
   for (const char* name : {"ellipsoid", "torus"}) {
     const Sample sample(name, 40, 1);
     Monitor monitor;
-    const auto labelled = sorted(labelled_delaunay(sample.points.points, sample.surface, monitor).triangles);
+    const auto labelled = sorted(LabelledDelaunay(sample.points.points, sample.surface, monitor).triangles());
     const auto closed = sorted(tight_cocone(sample.points.points, monitor).triangles);
     std::vector<Triangle> differing;
     std::set_symmetric_difference(closed.begin(), closed.end(), labelled.begin(), labelled.end(),
@@ -137,7 +137,7 @@ TEST(TightCocone, ClosesAHoleInTheSample) {
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 2);
   const MeshFacts whole =
-      facts_of(sample.points.points, labelled_delaunay(sample.points.points, sample.surface, monitor).triangles);
+      facts_of(sample.points.points, LabelledDelaunay(sample.points.points, sample.surface, monitor).triangles());
   EXPECT_NEAR(facts.volume / whole.volume, 1.0, 0.02);
 }
 

@@ -1,0 +1,318 @@
+#include "methods/particles/cure.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include "methods/sizing/point_tree.h"
+
+namespace isobench::particles {
+
+namespace {
+
+using Facet = LabelledDelaunay::Facet;
+
+constexpr double least_cosine = 0.5;     // facets tilted further from a corner's normal are wrong
+constexpr double least_distance = 0.15;  // of a new particle to others, times the spacing there
+
+// Which facets each particle is a corner of.
+struct Fans {
+  std::vector<std::uint32_t> first;
+  std::vector<std::uint32_t> items;
+
+  Fans(const std::vector<Facet>& facets, std::size_t points) : first(points + 1, 0), items(3 * facets.size()) {
+    for (const Facet& facet : facets) {
+      for (const std::uint32_t corner : facet.corners) ++first[corner + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t n = 0; n < facets.size(); ++n) {
+      for (const std::uint32_t corner : facets[n].corners) items[next[corner]++] = static_cast<std::uint32_t>(n);
+    }
+  }
+  std::size_t count(std::size_t point) const { return first[point + 1] - first[point]; }
+};
+
+// Whether the triangles at a point form one closed fan: each leads from one neighbour to another, and following them
+// must come round once through all.
+bool one_fan(const std::vector<Facet>& facets, const Fans& fans, std::uint32_t point) {
+  std::vector<std::array<std::uint32_t, 2>> steps;
+  for (std::uint32_t i = fans.first[point]; i < fans.first[point + 1]; ++i) {
+    const Triangle& t = facets[fans.items[i]].corners;
+    const std::size_t at = t[0] == point ? 0 : t[1] == point ? 1 : 2;
+    steps.push_back({t[(at + 1) % 3], t[(at + 2) % 3]});
+  }
+  std::uint32_t here = steps.front()[0];
+  for (std::size_t taken = 0; taken < steps.size(); ++taken) {
+    const auto leads_on = [here](const auto& step) { return step[0] == here; };
+    const auto step = std::find_if(steps.begin(), steps.end(), leads_on);
+    if (step == steps.end() || std::count_if(steps.begin(), steps.end(), leads_on) > 1) return false;
+    here = (*step)[1];
+    if (here == steps.front()[0]) return taken + 1 == steps.size();
+  }
+  return false;
+}
+
+bool is_tilted(const Facet& facet, const Particles& particles) {
+  const auto& [a, b, c] = facet.corners;
+  const Eigen::Vector3d normal =
+      (particles.points[b] - particles.points[a]).cross(particles.points[c] - particles.points[a]).normalized();
+  return std::any_of(facet.corners.begin(), facet.corners.end(),
+                     [&](std::uint32_t corner) { return normal.dot(particles.normals[corner]) < least_cosine; });
+}
+
+// The part of a dual edge that lies in the volume, as a start and a number of steps of at most a quarter voxel.
+struct Walk {
+  Walk(const Facet& facet, const Isosurface& surface) : from(facet.inside), to(facet.outside) {
+    // Inside is in the volume; outside may be far beyond it, where nothing is crossed any more.
+    double share = 1.0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double way = to[axis] - from[axis];
+      if (way > 0.0) share = std::min(share, (surface.extent()[axis] - from[axis]) / way);
+      if (way < 0.0) share = std::min(share, -from[axis] / way);
+    }
+    to = from + std::max(0.0, share) * (to - from);
+    steps = static_cast<int>(std::ceil((to - from).norm() / (0.25 * surface.voxel())));
+  }
+  Eigen::Vector3d at(int step) const { return from + (static_cast<double>(step) / steps) * (to - from); }
+
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+  int steps = 0;
+};
+
+// How often the surface is crossed on the way.
+int crossings(const Facet& facet, const Isosurface& surface) {
+  const Walk walk(facet, surface);
+  bool inside = true;
+  int count = 0;
+  for (int step = 1; step <= walk.steps; ++step) {
+    const bool now = surface.value(walk.at(step)) > 0.0;
+    count += now == inside ? 0 : 1;
+    inside = now;
+  }
+  return count;
+}
+
+// The points of the surface on a facet's dual edge: that nearest to the facet and, of several, all.
+std::vector<Eigen::Vector3d> points_on_dual(const Facet& facet, const Isosurface& surface) {
+  std::vector<Eigen::Vector3d> points;
+  const Walk walk(facet, surface);
+  double before = 1.0;
+  for (int step = 1; step <= walk.steps; ++step) {
+    const double now = surface.value(walk.at(step));
+    if ((now > 0.0) != (before > 0.0)) {
+      const auto foot = surface.project(0.5 * (walk.at(step - 1) + walk.at(step)));
+      if (foot) points.push_back(*foot);
+    }
+    before = now;
+  }
+  return points;
+}
+
+// What is wrong, and where.
+struct Findings {
+  Defects defects;
+  std::vector<std::uint32_t> facets;    // to be refined, ascending
+  std::vector<std::uint32_t> isolated;  // points without a facet
+  std::vector<std::uint32_t> pinched;   // points with more than one fan
+};
+
+// Components of the lattice's mesh, to see whether each has its part of the result.
+class Components {
+ public:
+  explicit Components(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh.vertices), of_(mesh.vertices.size()) {
+    std::iota(of_.begin(), of_.end(), 0U);
+    for (const Triangle& t : mesh.triangles) {
+      for (const std::uint32_t corner : t) of_[root(corner)] = root(t[0]);
+    }
+    for (std::uint32_t n = 0; n < of_.size(); ++n) of_[n] = root(n);
+  }
+
+  /// Of components on which no particle with a facet stands: some points each, well apart.
+  std::vector<std::vector<Eigen::Vector3d>> lost(const Particles& particles, const Fans& fans) const {
+    std::vector<std::uint32_t> nearest(particles.size());
+    tbb::parallel_for(std::size_t{0}, particles.size(),
+                      [&](std::size_t n) { nearest[n] = of_[tree_.nearest(particles.points[n]).first]; });
+    std::map<std::uint32_t, bool> met;
+    for (std::size_t n = 0; n < particles.size(); ++n) {
+      if (fans.count(n) > 0) met[nearest[n]] = true;
+    }
+    std::map<std::uint32_t, std::vector<Eigen::Vector3d>> members;
+    for (std::uint32_t n = 0; n < of_.size(); ++n) {
+      if (met.count(of_[n]) == 0) members[of_[n]].push_back(mesh_.vertices[n]);
+    }
+    std::vector<std::vector<Eigen::Vector3d>> result;
+    for (const auto& [component, points] : members) result.push_back(spread(points));
+    return result;
+  }
+
+ private:
+  std::uint32_t root(std::uint32_t n) {
+    while (of_[n] != n) n = of_[n] = of_[of_[n]];
+    return n;
+  }
+
+  // Each as far as possible from those before it: as many as enclose a small body.
+  static std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) {
+    constexpr std::size_t enough = 16;
+    std::vector<Eigen::Vector3d> chosen = {points.front()};
+    std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
+    while (chosen.size() < std::min(enough, points.size())) {
+      for (std::size_t n = 0; n < points.size(); ++n)
+        distance[n] = std::min(distance[n], (points[n] - chosen.back()).norm());
+      const auto farthest = std::max_element(distance.begin(), distance.end());
+      if (*farthest <= 0.0) break;
+      chosen.push_back(points[static_cast<std::size_t>(farthest - distance.begin())]);
+    }
+    return chosen;
+  }
+
+  const TriangleMesh& mesh_;
+  PointTree tree_;
+  std::vector<std::uint32_t> of_;
+};
+
+class Curing {
+ public:
+  Curing(const Isosurface& surface, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& particles,
+         LabelledDelaunay& delaunay)
+      : surface_(surface), spacing_(spacing), components_(lattice_mesh), particles_(particles), delaunay_(delaunay) {}
+
+  Cure run(int rounds, Monitor& monitor) {
+    Cure cure;
+    Findings found = look();
+    cure.before = found.defects;
+    while (found.defects.all() > 0 && cure.rounds < rounds) {
+      monitor.progress(static_cast<double>(cure.rounds) / rounds);
+      ++cure.rounds;
+      const std::size_t added = add(found);
+      cure.inserted += added;
+      if (added == 0) break;
+      found = look();
+    }
+    // Points do no more: cut what is still pinched.
+    constexpr int cuts = 10;
+    for (int cut = 0; cut < cuts && !found.pinched.empty(); ++cut) {
+      std::size_t flipped = 0;
+      for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
+      cure.flipped += flipped;
+      if (flipped == 0) break;
+      found = look();
+    }
+    cure.after = found.defects;
+    cure.places = found.pinched;
+    return cure;
+  }
+
+ private:
+  Findings look() {
+    facets_ = delaunay_.facets();
+    const Fans fans(facets_, particles_.size());
+    std::vector<char> wrong(facets_.size(), 0);
+    std::vector<char> crossed(facets_.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 1024), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n < range.end(); ++n) {
+        wrong[n] = is_tilted(facets_[n], particles_) ? 1 : 0;
+        crossed[n] = crossings(facets_[n], surface_) > 1 ? 1 : 0;
+      }
+    });
+    std::vector<char> pinched(particles_.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles_.size(), 1024), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n < range.end(); ++n)
+        pinched[n] = fans.count(n) > 0 && !one_fan(facets_, fans, static_cast<std::uint32_t>(n)) ? 1 : 0;
+    });
+
+    Findings found;
+    found.defects.tilted = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
+    found.defects.crossed = static_cast<std::size_t>(std::count(crossed.begin(), crossed.end(), 1));
+    for (std::uint32_t n = 0; n < particles_.size(); ++n) {
+      if (fans.count(n) == 0) found.isolated.push_back(n);
+      if (pinched[n] == 0) continue;
+      found.pinched.push_back(n);
+      for (std::uint32_t i = fans.first[n]; i < fans.first[n + 1]; ++i) wrong[fans.items[i]] = 1;
+    }
+    found.defects.pinched = found.pinched.size();
+    found.defects.isolated = found.isolated.size();
+    for (std::uint32_t n = 0; n < facets_.size(); ++n) {
+      if (wrong[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
+    }
+    lost_ = components_.lost(particles_, fans);
+    found.defects.lost = lost_.size();
+    return found;
+  }
+
+  // Adds particles for all findings; how many.
+  std::size_t add(const Findings& found) {
+    added_.clear();
+    for (const std::uint32_t n : found.facets) {
+      const Facet& facet = facets_[n];
+      for (const Eigen::Vector3d& x : points_on_dual(facet, surface_)) {
+        const bool far = std::all_of(facet.corners.begin(), facet.corners.end(), [&](std::uint32_t corner) {
+          return (particles_.points[corner] - x).norm() > least_distance * particles_.spacing[corner];
+        });
+        if (far) add_point(x);
+      }
+    }
+    for (const std::uint32_t n : found.isolated) surround(n);
+    for (const auto& component : lost_) {
+      for (const Eigen::Vector3d& x : component) {
+        const auto foot = surface_.project(x);
+        if (foot) add_point(*foot);
+      }
+    }
+    Particles fresh = make_particles(surface_, spacing_, added_);
+    delaunay_.insert(fresh.points);
+    particles_.points.insert(particles_.points.end(), fresh.points.begin(), fresh.points.end());
+    particles_.normals.insert(particles_.normals.end(), fresh.normals.begin(), fresh.normals.end());
+    particles_.spacing.insert(particles_.spacing.end(), fresh.spacing.begin(), fresh.spacing.end());
+    return added_.size();
+  }
+
+  // A ring about a particle that the surface passes by: with it, the particle's cells are small against the sheet.
+  void surround(std::uint32_t n) {
+    const Eigen::Vector3d& normal = particles_.normals[n];
+    const Eigen::Vector3d u = normal.unitOrthogonal();
+    const Eigen::Vector3d v = normal.cross(u);
+    constexpr int corners = 6;
+    for (int corner = 0; corner < corners; ++corner) {
+      const double angle = 2.0 * M_PI * corner / corners;
+      const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
+      const auto foot = surface_.project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
+      if (foot && (*foot - particles_.points[n]).norm() > least_distance * particles_.spacing[n]) add_point(*foot);
+    }
+  }
+
+  // Unless another new one is as good as there.
+  void add_point(const Eigen::Vector3d& x) {
+    const double reach = least_distance * spacing_(x);
+    const bool near = std::any_of(added_.begin(), added_.end(),
+                                  [&](const Eigen::Vector3d& other) { return (other - x).norm() < reach; });
+    if (!near) added_.push_back(x);
+  }
+
+  const Isosurface& surface_;
+  const Spacing& spacing_;
+  Components components_;
+  Particles& particles_;
+  LabelledDelaunay& delaunay_;
+  std::vector<Facet> facets_;
+  std::vector<std::vector<Eigen::Vector3d>> lost_;
+  std::vector<Eigen::Vector3d> added_;
+};
+
+}  // namespace
+
+Cure cure(const Isosurface& surface, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& particles,
+          LabelledDelaunay& delaunay, int rounds, Monitor& monitor) {
+  return Curing(surface, spacing, lattice_mesh, particles, delaunay).run(rounds, monitor);
+}
+
+}  // namespace isobench::particles
