@@ -31,6 +31,28 @@ TEST(Errors, CancellingIsNotMistakenForBadDataOrUsage) {
   }
 }
 
+TEST(Printable, LeavesWordsOfAnyLanguageAsTheyAre) {
+  for (const char* text : {"", "plain", "7 × 6 µm, ε ≤ ½", "日本語", "🙂", "a\\b"}) EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, EscapesWhatTerminalsAndJsonCannotTake) {
+  EXPECT_EQ(printable("a\nb\x1b[31m\x7f"), "a\\x0ab\\x1b[31m\\x7f");
+  EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");
+  EXPECT_EQ(printable("\xff\xc3"), "\\xff\\xc3");
+  EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");                    // a control character of its own
+  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");                    // "/" written too long
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");           // half a surrogate pair
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
+  EXPECT_STREQ(DataError("two\nlines").what(), "two\\x0alines");
+}
+
+TEST(Printable, KeepsBothEndsOfWhatIsLong) {
+  const std::string text = "begin" + std::string(1000000, 'x') + "end";
+  const std::string shown = printable(text);
+  EXPECT_LT(shown.size(), 1100U);
+  EXPECT_TRUE(shown.starts_with("begin") && shown.ends_with("end")) << shown;
+}
+
 TEST(NearestName, ForgivesSlips) {
   EXPECT_EQ(nearest_name("marching-cube", kMethods), "marching-cubes");
   EXPECT_EQ(nearest_name("partciles", kMethods), "particles");

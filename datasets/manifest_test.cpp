@@ -107,5 +107,35 @@ TEST(ManifestChecksum, CoversAllThatDecidesTheResultAndNothingElse) {
   EXPECT_NE(manifest_checksum(parse(head + steps + data), {"t"}), reference);
 }
 
+TEST(Manifest, WhatGoesToOtherProgramsIsNoOptionOfTheirs) {
+  const std::string sum = "sha256 = \"" + std::string(64, '0') + "\"";
+  const auto packaged = [&](const std::string& package, const std::string& archive, const std::string& member) {
+    return head + "[data]\npackage = \"" + package + "\"\narchive = \"" + archive +
+           "\"\nfiles = [ { name = \"v.nrrd\", " + sum + ", member = \"" + member + "\" } ]\n";
+  };
+  EXPECT_EQ(parse(packaged("libcgal-demo", "a.tar.gz", "m/v.nrrd")).package->archive, "a.tar.gz");
+  expect_usage_error(packaged("--option=x", "a.tar.gz", "m"), 4, "'--option=x' is not the name of a Debian package");
+  expect_usage_error(packaged("libcgal-demo", "/etc/a.tar.gz", "m"), 5, "relative");
+  expect_usage_error(packaged("libcgal-demo", "a.tar.gz", "--to-command=x"), 6, "cannot be the path of a file");
+  expect_usage_error(head + "[data]\nfiles = [ { name = \"" + std::string(300, 'n') + "\" } ]\n", 4,
+                     "cannot be the path");
+}
+
+TEST(Manifest, NumbersBeyondWhatCanBeDoneAreRefused) {
+  const auto step = [](const std::string& text) { return head + "prepare = [ { step = " + text + " } ]\n" + data; };
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 2147483647\n", 4, "at most 2048");
+  expect_usage_error(step("\"pad\", voxels = 3000000000"), 3, "at most 2147483647");
+  expect_usage_error(step("\"pad\", voxels = 1, value = 1e39"), 3, "finite");
+  expect_usage_error(step("\"gaussian\", sigma = 1e9"), 3, "at most 1000 voxels");
+}
+
+TEST(Manifest, ItsNameCannotLeaveTheFoldersThatAreNamedAfterIt) {
+  const TestFolder folder;
+  for (const std::string name : {"...toml", ".hidden.toml", "-option.toml", "a\nb.toml"}) {
+    const auto path = folder.write(name, head + data);
+    EXPECT_THROW(read_manifest(path, path.string()), UsageError) << name;
+  }
+}
+
 }  // namespace
 }  // namespace isobench

@@ -294,5 +294,17 @@ TEST(Prepare, DescribesEveryStepInALine) {
             describe(CloseBorder{.value = 2.0, .use_minimum = false}));
 }
 
+TEST(PrepareBadInput, StepsThatAskForTheImpossible) {
+  Volume volume;
+  volume.lattice.size = {4, 4, 4};
+  volume.samples.assign(64, 1.0F);
+  Monitor monitor;
+  EXPECT_THROW(prepare(volume, {Pad{1000000000, 0.0}}, monitor), DataError);
+  EXPECT_THROW(prepare(volume, {Resample{Eigen::Vector3d::Constant(1e-5)}}, monitor), DataError);
+  EXPECT_THROW(prepare(volume, {Subsample{2000000000}}, monitor), DataError);
+  // A sigma whose square is 0 changes nothing.
+  EXPECT_EQ(prepare(volume, {Gaussian{Eigen::Vector3d::Constant(1e-200)}}, monitor).samples, volume.samples);
+}
+
 }  // namespace
 }  // namespace isobench

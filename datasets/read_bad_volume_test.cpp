@@ -106,6 +106,44 @@ TEST(ReadVolumeBadInput, HostileSizesAllocateNothing) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(ReadVolumeBadInput, CompressedDataThatGoOnForLong) {
+  const TestFolder folder;
+  const std::string bomb = deflated(std::string(std::size_t{64} << 20U, '\0'), true);
+  ASSERT_LT(bomb.size(), 70000U);
+  const std::string long_after = "go on long after";
+  expect_data_error(folder.write("a.nrrd", nrrd_header("float", "gzip") + "\n" + bomb), long_after);
+  expect_data_error(
+      folder.write("b.mha",
+                   metaimage_header("CompressedData = True\nElementType = MET_FLOAT\nElementDataFile = LOCAL") + bomb),
+      long_after);
+  NiftiHeader nifti;
+  const std::string zeros(std::size_t{64} << 20U, '\0');
+  expect_data_error(folder.write("c.nii.gz", deflated(nifti.bytes() + zeros, true)), long_after);
+  expect_data_error(
+      folder.write("d.inr.gz", deflated(inrimage(inrimage_fields("TYPE=float\nPIXSIZE=32 bits", "decm"), zeros), true)),
+      long_after);
+  // A text without an end, which is one number that has none.
+  std::string text = nrrd_header("float", "ascii");
+  text.replace(text.find("encoding: ascii"), 15, "encoding: ascii\nbyte skip: 0");
+  expect_data_error(folder.write("e.nrrd", text + "\n" + std::string(std::size_t{8} << 20U, '1')), "not a number");
+}
+
+TEST(ReadVolumeBadInput, CompressedDataThatPromiseWhatTheyDoNotHold) {
+  const TestFolder folder;
+  // Deflate could hold as much in so many bytes, so only reading them shows that they do not.
+  const std::string data = deflated(std::string(20000, '\x5a') + std::string(300000, '\0'), true);
+  std::string nrrd = nrrd_header("uchar", "gzip") + "\n";
+  nrrd.replace(nrrd.find("sizes: 7 6 5"), 12, "sizes: 100 100 100");
+  expect_data_error(folder.write("a.nrrd", nrrd + data), "at most 320000 follow");
+}
+
+TEST(ReadVolumeBadInput, MessagesAreOneLineWhateverTheFileSays) {
+  const TestFolder folder;
+  std::string nrrd = nrrd_header("float", "raw") + "\n";
+  nrrd.replace(nrrd.find("type: float"), 11, "type: \x1b[31m\xff" + std::string(5000, 'x'));
+  expect_data_error(folder.write("a.nrrd", nrrd), "\\x1b[31m\\xff");
+}
+
 TEST(ReadVolumeBadInput, NotA3DScalarVolume) {
   const TestFolder folder;
   NiftiHeader series;

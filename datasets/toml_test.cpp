@@ -161,5 +161,11 @@ TEST_F(TomlFiles, ThatAreNoTextAreUsageErrors) {
   EXPECT_TRUE(usage_error([&] { TomlValue::parse_file(path); }).starts_with(path.string() + ":1:"));
 }
 
+TEST(Toml, AnIntegerThatNoDoubleIsExactlyIsStillANumber) {
+  const TomlValue document = TomlValue::parse_text("a = 9007199254740993\nb = -9223372036854775807\n", "x.toml");
+  EXPECT_EQ(document.require("a").as_number(), 9007199254740992.0);
+  EXPECT_EQ(document.require("b").as_number(), -9223372036854775808.0);
+}
+
 }  // namespace
 }  // namespace isobench

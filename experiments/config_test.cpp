@@ -235,6 +235,49 @@ TEST(ConfigErrors, RunsAreMatchedToOneEntry) {
   expect_mistake(match + both + "[quick]\nmethod = \"marching-cubes\"\n", {"[quick] leaves out 'particles'"});
 }
 
+TEST(ConfigErrors, NamesThatWouldLeaveTheResultsFolder) {
+  for (const char* name : {"...toml", ".toml", ".hidden.toml", "-x.toml", "a\nb.toml"}) {
+    EXPECT_THROW(read_config(write(plain, name)), UsageError) << name;
+  }
+  EXPECT_THROW(read_config(write(plain, std::string(150, 'n') + ".toml")), UsageError);
+  for (const char* dataset : {"../torus", "/torus", "torus/../torus", ".", "..", ""}) {
+    expect_mistake(replaced(plain, "\"torus\"", "\"" + std::string(dataset) + "\""),
+                   {"config.toml:1:", "unknown dataset"});
+  }
+  expect_mistake(replaced(plain, "marching-cubes", "../marching-cubes"), {"config.toml:6:", "unknown method"});
+  // A manifest of the user's own that is there, but whose name would be no folder's.
+  const std::string manifest = "title = \"P\"\n[phantom]\nname = \"torus\"\nnodes = 64\n";
+  const fs::path hidden = write(manifest, ".tmp-own.toml");
+  expect_mistake(replaced(plain, "\"torus\"", "\"" + hidden.string() + "\""), {".tmp-own.toml", "rename it"});
+}
+
+TEST(ConfigErrors, TextsThatNoTableCanTake) {
+  const auto label = [](const std::string& text) { return std::string(plain) + "label = \"" + text + "\"\n"; };
+  expect_mistake(label("a\\nb"), {"config.toml:7:", "label must be one printable line"});
+  expect_mistake(label("\\u001b[31m"), {"config.toml:7:", "label"});
+  expect_mistake(label(std::string(101, 'l')), {"config.toml:7:", "label"});
+  EXPECT_EQ(mistake(label("ε ≤ 0.5, \\\"best\\\"")), "");
+  expect_mistake("title = \"a\\u0007\"\n" + std::string(plain), {"config.toml:1:", "title must be one printable line"});
+}
+
+TEST(ConfigErrors, PublishedFiguresAreAFileOfSuch) {
+  const auto published = [](const std::string& source) {
+    return std::string(plain) + "[published]\nsource = \"" + source + "\"\n";
+  };
+  expect_mistake(published("."), {"config.toml:8:", "no file"});
+  expect_mistake(published("/dev/zero"), {"config.toml:8:", "no file"});
+  write("secret\n", "secret.txt");
+  expect_mistake(published("secret.txt"), {"secret.txt:1:"});
+}
+
+TEST(ConfigErrors, MoreRunsThanAnybodyMeans) {
+  std::string list = "1";
+  for (int n = 2; n <= 400; ++n) list += ", " + std::to_string(n);
+  const std::string text = "seed = [" + list + "]\n" + replaced(plain, "0.5", "[" + list + "]");
+  expect_mistake(text, {"160000 runs or more", "100000"});
+  expect_mistake("repeats = 1000\n" + replaced(text, "[\"torus\", \"sphere\"]", "\"torus\""), {"160000000 runs"});
+}
+
 TEST(ConfigErrors, RepeatsAreAWholeNumber) {
   expect_mistake(std::string("repeats = 0\n") + plain, {"config.toml:1:", "repeats is 0"});
   expect_mistake(std::string("repeats = 1.5\n") + plain, {"config.toml:1:", "repeats"});

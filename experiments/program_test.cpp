@@ -1,6 +1,8 @@
 // Exit codes and sentences of the program, and what its verbs print.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "experiments/test_program.h"
 
 namespace isobench {
@@ -50,6 +52,63 @@ TEST_F(ProgramVerbs, BadDataExitWith3) {
   folder_.write("mesh.ply", "no mesh\n");
   expect({"measure", "mesh.ply", "--dataset", "torus", "-q"}, 3, "mesh.ply");
   expect({"report", "results/none"}, 3, "no results folder");
+}
+
+TEST_F(ProgramVerbs, HostileFilesExitWith3AndOneSentence) {
+  const auto refused = [&](const std::string& name, const std::string& bytes, const std::string& sentence) {
+    SCOPED_TRACE(name);
+    folder_.write(name, bytes);
+    const bool mesh = name.starts_with("mesh");
+    const Outcome outcome = mesh ? run({"measure", name, "--dataset", "torus", "-q"})
+                                 : run({"mesh", "--volume", name, "--isovalue", "1", "--edge-length", "2", "--method",
+                                        "marching-cubes", "-q"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
+  refused("mesh.off", "OFF\n3 1 0\n" + corners + "3 0 1 3\n", "names a vertex that is not there");
+  refused("mesh2.off", "OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "are not finite");
+  refused("mesh3.off", "OFF\n3 0 0\n" + corners, "no triangles");
+  refused("mesh4.off", "OFF\n900000000000 900000000000 0\n" + corners, "truncated");
+  refused("mesh.stl", std::string(80, ' ') + "\xff\xff\xff\xff", "truncated");
+  refused("mesh.vtp",
+          "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"900000000000\"/></PolyData></VTKFile>",
+          "no coordinates");
+  refused("scan.nrrd", "NRRD0004\ntype: float\ndimension: 3\nsizes: 60000 60000 200\nencoding: raw\n\n1234",
+          "truncated");
+  refused("scan.mha",
+          "NDims = 3\nDimSize = 2147483647 2147483647 2147483647\nElementType = MET_FLOAT\n"
+          "ElementDataFile = LOCAL\n",
+          "not that of a 3-D volume");
+  refused("scan.vti", "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"5 -5 0 9 0 9\"/></VTKFile>",
+          "not that of a 3-D");
+}
+
+TEST_F(ProgramVerbs, DegenerateMeshesAreMeasured) {
+  // Triangles without an area, one corner thrice, the same place twice, far away: nothing a figure cannot say.
+  folder_.write("flat.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n2 0 0\n1 0 0\n1e9 0 0\n3 0 1 2\n3 1 1 1\n3 0 1 3\n3 0 2 4\n");
+  const Outcome outcome = run({"measure", "flat.off", "--dataset", "torus", "--json", "-q"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"radius_ratio_min\": 0"), std::string::npos) << outcome.out;
+  folder_.write("far.off", "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n");
+  expect({"measure", "far.off", "--dataset", "torus", "-q"}, 3, "coordinates must be in mm");
+}
+
+TEST_F(ProgramVerbs, ARecordFromElsewhereRemovesNothingOutsideItsFolder) {
+  folder_.write("precious/run.json", "{}");
+  const std::string request =
+      R"({"run": "../../precious", "dataset": "torus", "dataset_checksum": "0", "method": "marching-cubes",
+"method_revision": 1, "label": "x", "parameters": {}, "epsilon": null, "delta": null, "floor_voxels": 0.5,
+"edge_length": 2.0, "vertices": null, "match_scale": 1.0, "seed": 1, "reference_k": 1, "metrics_revision": 0,
+"limit_minutes": null, "limit_memory_gb": null})";
+  folder_.write("results/x/plan.json", R"({"schema_version": 1, "runs": [)" + request + "]}");
+  expect({"measure", "results/x"}, 3, "'../../precious' cannot be the name of a run's folder");
+  expect({"report", "results/x"}, 3, "plan.json");
+  expect({"cell", "--plan", "results/x/plan.json", "--run", "../../precious", "--folder", "."}, 3, "plan.json");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "precious/run.json"));
 }
 
 TEST_F(ProgramVerbs, RunsWithoutUsableDataExitWith3AndAreRecorded) {

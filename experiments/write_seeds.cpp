@@ -341,6 +341,37 @@ files = [ { name = "s.inr", member = "data/s.inr", sha256 = ")" +
   corpus.write("bad-nested", std::string(500, '[') + "\n");
 }
 
+void write_measure(const fs::path& root) {
+  const Corpus corpus(root, "metrics", "measure");
+  const auto bytes = [](const std::vector<Eigen::Vector3d>& vertices, const std::string& corners) {
+    std::string text(1, static_cast<char>(vertices.size()));
+    for (const Eigen::Vector3d& vertex : vertices) {
+      for (int axis = 0; axis < 3; ++axis) text += bytes_of_value(vertex[axis]);
+    }
+    return text + corners;
+  };
+  const std::vector<Eigen::Vector3d> vertices = {{7, 4, 4}, {1, 4, 4}, {4, 7, 4}, {4, 1, 4}, {4, 4, 7}, {4, 4, 1}};
+  const std::string corners("\0\2\4\2\1\4\1\3\4\3\0\4\2\0\5\1\2\5\3\1\5\0\3\5", 24);
+  corpus.write("good-octahedron", bytes(vertices, corners));
+  corpus.write("good-open", bytes(vertices, corners.substr(0, 9)));
+  corpus.write("good-collapsed", bytes(vertices, corners + std::string("\1\1\1\2\2\3", 6)));
+  corpus.write("good-all-collapsed", bytes(vertices, std::string("\1\1\1\2\2\3", 6)));
+  corpus.write("good-twice", bytes(vertices, corners + corners));
+  corpus.write("good-one-place", bytes(std::vector<Eigen::Vector3d>(6, {4, 4, 4}), corners));
+  std::vector<Eigen::Vector3d> flat = vertices;
+  for (Eigen::Vector3d& vertex : flat) vertex.tail<2>().setZero();
+  corpus.write("good-one-line", bytes(flat, corners));
+  corpus.write("bad-index", bytes(vertices, corners + std::string("\0\1\6", 3)));
+  corpus.write("bad-no-triangles", bytes(vertices, ""));
+  for (const auto& [name, value] :
+       {std::pair("nan", std::numeric_limits<double>::quiet_NaN()),
+        std::pair("infinite", std::numeric_limits<double>::infinity()), std::pair("far", 1e300)}) {
+    std::vector<Eigen::Vector3d> hostile = vertices;
+    hostile[2].y() = value;
+    corpus.write(fmt::format("bad-{}", name), bytes(hostile, corners));
+  }
+}
+
 std::string text_of_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -488,6 +519,7 @@ repeats = 1
   corpus.write("good-many-runs", replaced(replaced(text, "[0.5, 0.75]", "[" + list + "]"), "[1, 7]", "[" + list + "]"));
   const Corpus set(root, "experiments", "set");
   set.write("good-number", "sweeps=7");
+  set.write("good-negative-zero", "sweeps=-0");  // found by fuzzing: it was another config when read again
   set.write("bad-range", "sweeps=-1");
   set.write("bad-number", "sweeps=7e");
   set.write("bad-infinite", "sweeps=inf");
@@ -508,6 +540,7 @@ int write_seeds(const fs::path& root) {
   write_ply(root);
   write_text_meshes(root);
   write_stl(root);
+  write_measure(root);
   write_records(root);
   write_plans(root);
   write_published(root);

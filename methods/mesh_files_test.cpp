@@ -248,6 +248,22 @@ TEST_F(MeshFiles, WithoutTrianglesAreDataErrors) {
   expect_contains(error("a.obj", "v 0 0 0\n"), "no triangles");
 }
 
+TEST_F(MeshFiles, WithHalfATriangleOrAnAxisTwiceAreDataErrors) {
+  expect_contains(error("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 5 5 5\nendsolid\n"),
+                  "lacks a corner");
+  expect_contains(
+      error("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float x\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+      "x, y and z");
+}
+
+TEST_F(MeshFiles, MessagesAreShortAndPrintable) {
+  const std::string message = error("a.off", "OFF\n1 1 0\n\x1b[2J\xff" + std::string(1000000, 'x') + " 0 0\n");
+  expect_contains(message, "\\x1b[2J\\xff");
+  EXPECT_LT(message.size(), 1200U);
+}
+
 TEST_F(MeshFiles, HugeCountsInAHeaderDoNotExhaustTheMemory) {
   const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
   expect_contains(

@@ -95,6 +95,8 @@ void Parameters::set(const ParameterSchema& schema, const std::string& name, con
                      const Place& place) {
   check(find_spec(schema, name, place), value, place);
   values_[name] = value;
+  // −0 is 0, and must not be taken for another value where parameters are compared as text.
+  if (auto* number = std::get_if<double>(&values_[name])) *number += 0.0;
 }
 
 void Parameters::set_text(const ParameterSchema& schema, const std::string& name, const std::string& text) {

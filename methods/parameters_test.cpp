@@ -131,5 +131,12 @@ TEST(ParameterValues, PrintSoThatTheyReadBackTheSame) {
   EXPECT_EQ(to_string(ParameterValue(std::string("a b"))), "a b");
 }
 
+TEST(Parameters, MinusZeroIsZero) {
+  const ParameterSchema schema = {{"n", 1.0, "", "a number", -1.0, 1.0, {}, false}};
+  Parameters parameters(schema);
+  parameters.set_text(schema, "n", "-0");
+  EXPECT_EQ(to_string(parameters.all().at("n")), "0");
+}
+
 }  // namespace
 }  // namespace isobench

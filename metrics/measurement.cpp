@@ -17,6 +17,12 @@ void check_mesh(const TriangleMesh& mesh) {
       throw DataError(fmt::format("vertex {} of the mesh is at ({}, {}, {}); coordinates must be finite numbers", v,
                                   mesh.vertices[v].x(), mesh.vertices[v].y(), mesh.vertices[v].z()));
     }
+    // A million kilometres: no mesh in mm reaches there, and figures far beyond would not be numbers any more.
+    if (mesh.vertices[v].cwiseAbs().maxCoeff() > 1e12) {
+      throw DataError(
+          fmt::format("vertex {} of the mesh is at ({}, {}, {}); coordinates must be in mm, within 1e12 of 0", v,
+                      mesh.vertices[v].x(), mesh.vertices[v].y(), mesh.vertices[v].z()));
+    }
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t v : mesh.triangles[t]) {

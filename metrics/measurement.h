@@ -35,7 +35,8 @@ struct Measurement {
 
 /// Measures a mesh (lattice frame) against the surface and the sizing that it was asked for, and adds the arrays that a
 /// reader may want to see to it: "radius_ratio" a triangle; "valence", "h0" and "distance" a vertex.
-/// Throws DataError for a mesh without triangles, indices out of range or coordinates that are not finite.
+/// Throws DataError for a mesh without triangles, indices out of range or coordinates that are not finite or beyond
+/// 1e12 mm.
 Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, int reference_k,
                     Monitor& monitor);
 

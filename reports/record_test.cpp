@@ -126,5 +126,40 @@ TEST(Environment, SaysWhereThisRuns) {
   for (const char* name : {"VTK", "CGAL", "Eigen", "TBB", "fmt"}) EXPECT_FALSE(here.libraries.at(name).empty()) << name;
 }
 
+TEST(RecordBadInput, NamesAndNumbersThatWouldDoHarm) {
+  const std::string whole = to_json(sample_record("skull", "particles", "best"));
+  const auto refused = [&](const std::string& what, const std::string& by) {
+    std::string text = whole;
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), by);
+    try {
+      record_from_json(text, "run.json");
+      ADD_FAILURE() << by << " was read";
+    } catch (const DataError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("run.json: ")) << error.what();
+    }
+  };
+  for (const char* name : {"..", ".", "", "../skull", "/tmp", "a/b", ".tmp-skull", "a\\u0000b", "-rf"}) {
+    refused("\"skull-best\"", "\"" + std::string(name) + "\"");
+  }
+  refused("\"method\": \"particles\"", "\"method\": \"../particles\"");
+  refused("\"dataset\": \"skull\"", "\"dataset\": \"a/.hidden.toml\"");
+  for (const char* number : {"1e300", "2.5", "true", "99999999999", "\"2\"", "null"}) {
+    refused("\"threads\": 2", "\"threads\": " + std::string(number));
+  }
+  refused("\"seed\": 1", "\"seed\": -1");
+  refused("\"reference_k\": 2", "\"reference_k\": 30000");
+  refused("\"triangles\": 2000", "\"triangles\": -2000");
+}
+
+TEST(RecordBadInput, AReasonThatIsNoUtf8IsStillWritten) {
+  RunRecord record = sample_record("skull", "particles");
+  record.reason = "method said \xff\xfe";
+  record.notes = {"\xc3"};
+  const RunRecord back = record_from_json(to_json(record), "test");
+  EXPECT_TRUE(back.reason.starts_with("method said ")) << back.reason;
+}
+
 }  // namespace
 }  // namespace isobench
