@@ -105,6 +105,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
   {
     const Monitor::Stage stage = monitor.stage("mesh");
     mesh = chosen.mesh(task, monitor);
+    monitor.keep_artefacts(false);  // what follows is for the measurement
   }
   record.peak_memory_mb = peak_memory_mb();
   if (mesh.triangles.empty()) throw Error("the method returned no triangles");
@@ -120,8 +121,10 @@ CellResult run_cell(const RunRequest& request, const std::filesystem::path& fold
   CellResult result{begin_record(request, threads), 1};
   RunRecord& record = result.record;
   try {
+    monitor.keep_artefacts(request.artefacts);
     const TriangleMesh mesh = load_and_mesh(request, monitor, record);
     write_mesh(mesh, folder / "mesh.vtp");
+    write_artefacts(monitor.artefacts(), record.dataset->lattice, folder);
     record.mesh_checksum = checksum(mesh);
     record.status = Status::ok;
     result.exit_code = 0;

@@ -45,6 +45,7 @@ Json request_to_json(const RunRequest& r) {
           {"seed", r.seed},
           {"repeat", r.repeat},
           {"alone", r.alone},
+          {"artefacts", r.artefacts},
           {"reference_k", r.reference_k},
           {"metrics_revision", r.metrics_revision},
           {"limit_minutes", number(r.limit_minutes)},
@@ -69,6 +70,7 @@ RunRequest request_from_json(const Json& json) {
   r.seed = json.at("seed").get<std::uint64_t>();
   r.repeat = json.value("repeat", 1);  // plans of before there were repeats have none
   r.alone = json.value("alone", false);
+  r.artefacts = json.value("artefacts", false);
   r.reference_k = json.at("reference_k").get<int>();
   r.metrics_revision = json.at("metrics_revision").get<int>();
   r.limit_minutes = optional_number(json.at("limit_minutes"));
