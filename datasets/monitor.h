@@ -72,9 +72,9 @@ class Monitor {
   /// A sentence for the run's log and record.
   void note(const std::string& sentence) { booked_.notes.push_back(sentence); }
 
-  /// Artefacts are kept only where keep_artefacts() asked for them; a later one of the same name takes the place of the
+  /// Artefacts are kept while keep_artefacts() asks for them; a later one of the same name takes the place of the
   /// earlier. Where making one costs anything, ask keeps_artefacts() first.
-  void keep_artefacts() { keeps_artefacts_ = true; }
+  void keep_artefacts(bool keep) { keeps_artefacts_ = keep; }
   bool keeps_artefacts() const { return keeps_artefacts_; }
   void artefact(const std::string& name, Artefact artefact) {
     if (keeps_artefacts_) booked_.artefacts[name] = std::move(artefact);

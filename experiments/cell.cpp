@@ -142,6 +142,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     result = mesh(task, request, monitor);
     record.peak_memory_mb = peak_memory_mb();
   }
+  monitor.keep_artefacts(false);  // what follows is for the measurement
   const Monitor::Stage stage = monitor.stage("measure");
   const std::shared_ptr<const SizingField> sizing = task.sizing_field(monitor);
   record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
@@ -154,8 +155,10 @@ CellResult run_cell(const RunRequest& request, std::optional<double> match_verti
   CellResult result{begin_record(request, threads), 1};
   RunRecord& record = result.record;
   try {
+    monitor.keep_artefacts(request.artefacts);
     const TriangleMesh mesh = load_and_mesh(request, match_vertices, monitor, record);
     write_mesh(mesh, folder / "mesh.vtp");
+    write_artefacts(monitor.artefacts(), record.dataset->lattice, folder);
     record.mesh_checksum = checksum(mesh);
     record.status = Status::ok;
     result.exit_code = 0;

@@ -36,8 +36,9 @@ struct CellResult {
   int exit_code = 0;  ///< 0 recorded as ok or skipped, 1 failed, 3 failed for want of usable data
 };
 
-/// The whole run of a planned cell: writes run.json and, if it came to one, mesh.vtp (world coordinates) into `folder`.
-/// Errors become the record's status and reason. `match_vertices` is given exactly where the request has match_to.
+/// The whole run of a planned cell: writes run.json and, if it came to one, mesh.vtp (world coordinates) into `folder`,
+/// beside it the artefacts that were asked for. Errors become the record's status and reason. `match_vertices` is given
+/// exactly where the request has match_to.
 CellResult run_cell(const RunRequest& request, std::optional<double> match_vertices,
                     const std::filesystem::path& folder, int threads, Monitor& monitor);
 

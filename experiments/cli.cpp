@@ -101,6 +101,8 @@ void add_mesh(CLI::App& app, CommandLine& line) {
   verb->add_option("--set", mesh.set, "a parameter of the method: key=value");
   verb->add_option("--seed", mesh.seed, "of everything random")->capture_default_str();
   verb->add_option("-o,--output", mesh.output, "file to write: .vtp, .ply, .off, .obj, .stl");
+  verb->add_option("--artefacts", mesh.artefacts,
+                   "folder for medial-axis.vtp, sizing.vtp, particles.vtp, as far as the method has them");
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return mesh_verb(line.mesh, line.common); }; });
 }

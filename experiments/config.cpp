@@ -287,8 +287,8 @@ void check_kind(const Sampling& sampling) {
 
 Config read_config(const std::filesystem::path& path, Size size) {
   const TomlValue document = TomlValue::parse_file(path);
-  document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "match", "match_to", "sampling", "override",
-                       "vary", "method", "limits", "reference", "published", "quick"},
+  document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "artefacts", "match", "match_to", "sampling",
+                       "override", "vary", "method", "limits", "reference", "published", "quick"},
                       "an experiment");
   Config config;
   config.name = path.stem().string();
@@ -306,6 +306,7 @@ Config read_config(const std::filesystem::path& path, Size size) {
   if (const auto repeats = document.find("repeats")) config.repeats = read_repeats(*repeats);
   config.timing = config.repeats > 1;
   if (const auto timing = document.find("timing")) config.timing = timing->as_bool();
+  if (const auto artefacts = document.find("artefacts")) config.artefacts = artefacts->as_bool();
   config.sampling = read_sampling(document.require("sampling"));
   check_kind(config.sampling);
   config.methods = read_methods(document);

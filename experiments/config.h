@@ -71,8 +71,9 @@ struct Config {
   std::string title;
   std::vector<std::string> datasets;
   std::vector<std::uint64_t> seeds{1};
-  int repeats = 1;      ///< runs of every cell, for the spread of their seconds
-  bool timing = false;  ///< runs go one at a time whatever --jobs says; by default where there are repeats
+  int repeats = 1;         ///< runs of every cell, for the spread of their seconds
+  bool timing = false;     ///< runs go one at a time whatever --jobs says; by default where there are repeats
+  bool artefacts = false;  ///< runs leave their medial axis, sizing and particles behind as VTP points
   Sampling sampling;
   std::vector<Override> overrides;
   std::vector<Variation> variations;
@@ -105,8 +106,8 @@ Sampling variation_sampling(const Variation& variation, const ParameterValue& va
 
 /// The config as TOML again, everything resolved; reading it gives the same plan. `published` names the copied file.
 std::string to_toml(const Config& config, const std::string& published);
-/// What decides the runs of a config: two configs of equal identity may share a results folder. Title, limits, labels
-/// and published figures are not part of it.
+/// What decides the runs of a config: two configs of equal identity may share a results folder. Title, limits, labels,
+/// artefacts and published figures are not part of it.
 std::string identity(const Config& config);
 
 }  // namespace isobench

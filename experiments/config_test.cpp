@@ -294,6 +294,14 @@ TEST(Config, RepeatsAreTimedUnlessItSaysOtherwise) {
   EXPECT_NE(identity(read(plain)), identity(read(std::string("timing = true\n") + plain)));
 }
 
+TEST(Config, ArtefactsAreNoPartOfTheIdentity) {
+  const Config asking = read(std::string("artefacts = true\n") + plain);
+  EXPECT_TRUE(asking.artefacts);
+  EXPECT_FALSE(read(plain).artefacts);
+  EXPECT_NE(to_toml(asking, "").find("artefacts = true"), std::string::npos);
+  EXPECT_EQ(identity(asking), identity(read(plain)));
+}
+
 TEST(Config, SetReplacesAParameterOfEveryMethodThatHasIt) {
   Config config = read(replaced(plain, "marching-cubes", "particles") + "sweeps = [1, 2]\n[[method]]\n" +
                        "name = \"marching-cubes\"\n[[method]]\nname = \"particles\"\nlabel = \"other\"\nrounds = 1\n");

@@ -102,6 +102,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   // Written out where it is not what follows from the repeats.
   if (config.timing != (config.repeats > 1)) text += fmt::format("timing = {}\n", config.timing);
   if (config.match) text += "match = \"vertices\"\nmatch_to = " + toml(config.match->to) + "\n";
+  if (config.artefacts) text += "artefacts = true\n";
   text += block("[sampling]", sampling_lines(config.sampling));
   for (const Override& change : config.overrides) text += override_block(change);
   for (const Variation& variation : config.variations) text += vary_block(variation);
@@ -116,6 +117,7 @@ std::string identity(const Config& config) {
   Config plain = config;
   plain.title.clear();
   plain.limits = {};
+  plain.artefacts = false;
   plain.published.reset();
   for (Override& change : plain.overrides) {
     change.limits = {};

@@ -166,6 +166,7 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
   request.method_revision = found.revision;
   request.metrics_revision = metrics_revision;
   request.alone = config.timing;
+  request.artefacts = config.artefacts;
   request.limit_minutes = limits.minutes;
   request.limit_memory_gb = limits.memory_gb;
   std::vector<RunRequest> runs;

@@ -149,6 +149,15 @@ TEST_F(ProgramVerbs, MeshThenMeasureAgree) {
   EXPECT_EQ(measured.out, meshed.out.substr(figures, measured.out.size()));
 }
 
+TEST_F(ProgramVerbs, MeshLeavesArtefactsInAFolder) {
+  const std::vector<std::string> sized = {"mesh", "--dataset", "sphere", "--epsilon", "1", "--delta", "0.5", "-q"};
+  expect(with(sized, {"--artefacts", "nowhere"}), 2, "nowhere");
+  std::filesystem::create_directory(folder_.path() / "here");
+  const Outcome outcome = run(with(sized, {"--artefacts", "here"}));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "here" / "medial-axis.vtp"));
+}
+
 TEST_F(ProgramVerbs, MeasureAsJsonKnowsWhatItWasNotAsked) {
   ASSERT_EQ(run(with(mesh_torus, {"--edge-length", "2", "-o", "torus.ply"})).code, 0);
   const Outcome measured = run({"measure", "torus.ply", "--dataset", "torus", "--json", "-q"});

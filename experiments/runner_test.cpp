@@ -20,6 +20,27 @@ delta = 0.5
 name = "marching-cubes"
 )";
 
+TEST(Runner, LeavesArtefactsWhereTheConfigAsks) {
+  const TestFolder folder;
+  const std::string config = R"(dataset = "sphere"
+[sampling]
+epsilon = 1.0
+delta = 0.5
+[[method]]
+name = "particles"
+)";
+  folder.write("without.toml", config);
+  folder.write("with.toml", "artefacts = true\n" + config);
+  for (const char* name : {"without", "with"}) {
+    const Outcome outcome = run_program(folder.path(), {"run", std::string(name) + ".toml"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const fs::path run = run_folder(folder.path() / "results" / name, "sphere-particles-");
+    for (const char* artefact : {"medial-axis.vtp", "sizing.vtp", "particles.vtp"}) {
+      EXPECT_EQ(fs::exists(run / artefact), std::string(name) == "with") << artefact;
+    }
+  }
+}
+
 TEST(Runner, StoresWholeRunsAndDoesThemOnce) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);

@@ -84,11 +84,15 @@ void write_whole(const TriangleMesh& mesh, const fs::path& output) {
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   check_source(arguments);
   check_output(arguments.output);
+  if (!arguments.artefacts.empty() && !fs::is_directory(arguments.artefacts)) {
+    throw UsageError("--artefacts " + arguments.artefacts.string() + ": there is no such folder");
+  }
   check(arguments.sizing);
   const RunRequest request = request_of(arguments);
   Console console(common.verbosity);
   ConsoleSink sink(console);
   Monitor monitor(&sink);
+  monitor.keep_artefacts(!arguments.artefacts.empty());
   RunRecord record;
   record.request = request;
   const Dataset dataset = load(arguments, monitor);
@@ -97,6 +101,7 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
     const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record), dataset.surface->lattice());
     console.clear();
     if (!arguments.output.empty()) write_whole(mesh, arguments.output);
+    write_artefacts(monitor.artefacts(), dataset.surface->lattice(), arguments.artefacts);
   } catch (const Skipped& skipped) {
     console.clear();
     fmt::print(stderr, "isobench: {} cannot do this: {}\n", request.method, skipped.what());

@@ -55,6 +55,7 @@ struct MeshArguments {
   std::vector<std::string> set;  ///< key=value
   std::uint64_t seed = 1;
   std::filesystem::path output;
+  std::filesystem::path artefacts;  ///< folder for the medial axis, the sizing and the particles
 };
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common);
 

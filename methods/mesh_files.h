@@ -4,12 +4,19 @@
 
 #include <filesystem>
 
+#include "datasets/monitor.h"
+#include "datasets/volume.h"
 #include "methods/triangle_mesh.h"
 
 namespace isobench {
 
 /// Throws UsageError for an unknown ending (naming the known ones), Error where the file cannot be written.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
+
+/// Writes what a monitor kept as points with their data, each into `folder` as its name with the ending .vtp, placed in
+/// the world. Throws Error where a file cannot be written.
+void write_artefacts(const std::map<std::string, Artefact>& artefacts, const Lattice& lattice,
+                     const std::filesystem::path& folder);
 
 /// Reads a triangle mesh; STL's coincident corners are merged. Throws UsageError for an unknown ending, DataError for a
 /// file that is missing, empty, truncated, foreign, has polygons other than triangles, indices out of range or

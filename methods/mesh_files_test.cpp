@@ -1,6 +1,11 @@
 #include "methods/mesh_files.h"
 
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,6 +292,28 @@ TEST_F(MeshFiles, ThatCannotBeWrittenAreErrors) {
     EXPECT_THROW(write_mesh(octahedron(), folder_ / "no" / "such" / name), Error) << name;
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
   }
+}
+
+TEST_F(MeshFiles, ArtefactsArePointsInTheWorld) {
+  Lattice lattice;
+  lattice.origin = {10.0, 20.0, 30.0};
+  lattice.direction.col(0) = -Eigen::Vector3d::UnitX();
+  Artefact axis;
+  axis.points = {{1.0 / 3.0, 0, 0}, {0, 1, 2}};
+  axis.data["radius"] = {0.25, 1.0 / 7.0};
+  write_artefacts({{"medial-axis", axis}}, lattice, folder_);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((folder_ / "medial-axis.vtp").c_str());
+  reader->Update();
+  vtkPolyData& data = *reader->GetOutput();
+  ASSERT_EQ(data.GetNumberOfPoints(), 2);
+  EXPECT_EQ(data.GetNumberOfVerts(), 2) << "without vertices a viewer shows nothing";
+  Eigen::Vector3d x;
+  data.GetPoint(0, x.data());
+  EXPECT_EQ(x, Eigen::Vector3d(10.0 - 1.0 / 3.0, 20.0, 30.0));
+  ASSERT_NE(data.GetPointData()->GetArray("radius"), nullptr);
+  EXPECT_EQ(data.GetPointData()->GetArray("radius")->GetTuple1(1), 1.0 / 7.0);
+  EXPECT_THROW(write_artefacts({{"medial-axis", axis}}, lattice, folder_ / "nowhere"), Error);
 }
 
 }  // namespace

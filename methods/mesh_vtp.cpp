@@ -12,6 +12,7 @@
 #include "datasets/error.h"
 #include "datasets/vtk_messages.h"
 #include "datasets/vtk_xml.h"
+#include "methods/mesh_files.h"
 #include "methods/mesh_formats.h"
 
 namespace isobench {
@@ -88,6 +89,30 @@ void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t coun
   std::erase_if(arrays, [&](const auto& entry) { return entry.second.size() != before + count; });
 }
 
+vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Eigen::Vector3d>& positions) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    points->SetPoint(static_cast<vtkIdType>(n), positions[n].data());
+  }
+  return points;
+}
+
+void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
+  write_bytes("", path);  // says so if the place cannot be written to
+  const VtkMessages messages;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  if (writer->Write() != 1 || writer->GetErrorCode() != 0 || messages.failed()) {
+    throw Error(path.string() + ": writing failed; is the disk full?");
+  }
+}
+
 }  // namespace
 
 TriangleMesh read_vtp(const std::filesystem::path& path) {
@@ -112,30 +137,28 @@ TriangleMesh read_vtp(const std::filesystem::path& path) {
 }
 
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    points->SetPoint(static_cast<vtkIdType>(v), mesh.vertices[v].data());
-  }
   vtkNew<vtkCellArray> cells;
   for (const Triangle& t : mesh.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
   vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
+  data->SetPoints(to_vtk(mesh.vertices));
   data->SetPolys(cells);
   add_arrays(mesh.vertex_data, *data->GetPointData());
   add_arrays(mesh.triangle_data, *data->GetCellData());
+  write_poly_data(data, path);
+}
 
-  write_bytes("", path);  // says so if the place cannot be written to
-  const VtkMessages messages;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  if (writer->Write() != 1 || writer->GetErrorCode() != 0 || messages.failed()) {
-    throw Error(path.string() + ": writing failed; is the disk full?");
+void write_artefacts(const std::map<std::string, Artefact>& artefacts, const Lattice& lattice,
+                     const std::filesystem::path& folder) {
+  for (const auto& [name, artefact] : artefacts) {
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3d& x : artefact.points) points.push_back(lattice.to_world(x));
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType n = 0; n < static_cast<vtkIdType>(points.size()); ++n) cells->InsertNextCell({n});
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(to_vtk(points));
+    data->SetVerts(cells);
+    add_arrays(artefact.data, *data->GetPointData());
+    write_poly_data(data, folder / (name + ".vtp"));
   }
 }
 

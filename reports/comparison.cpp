@@ -44,7 +44,7 @@ void flatten(const Json& json, const std::string& name, Leaves& leaves) {
 }
 
 // Parts of a request that determine no result.
-const std::vector<const char*> asked_besides = {"label", "alone", "limit_minutes", "limit_memory_gb"};
+const std::vector<const char*> asked_besides = {"label", "alone", "artefacts", "limit_minutes", "limit_memory_gb"};
 
 // Figures go by their bare names, as in results.csv; the rest says what it is.
 Leaves result_of(const Json& record) {

@@ -46,6 +46,7 @@ Json request_to_json(const RunRequest& r) {
           {"seed", r.seed},
           {"repeat", r.repeat},
           {"alone", r.alone},
+          {"artefacts", r.artefacts},
           {"reference_k", r.reference_k},
           {"metrics_revision", r.metrics_revision},
           {"limit_minutes", number(r.limit_minutes)},
@@ -89,6 +90,7 @@ RunRequest request_from_json(const Json& json) {
   if (json.contains("repeat"))
     r.repeat = integer<int>(json.at("repeat"));  // plans of before there were repeats have none
   r.alone = json.value("alone", false);
+  r.artefacts = json.value("artefacts", false);
   r.reference_k = integer<int>(json.at("reference_k"));
   r.metrics_revision = integer<int>(json.at("metrics_revision"));
   r.limit_minutes = optional_number(json.at("limit_minutes"));

@@ -28,11 +28,13 @@ class AxisSearch {
     double radius;
   };
 
-  std::optional<Found> at(const Eigen::Vector3d& q) const {
-    const Eigen::Vector3d& near_q = samples_.points[tree_.nearest(q).first];
+  /// `guess` is a sample near q, for the search to begin with, and then the nearest one.
+  std::optional<Found> at(const Eigen::Vector3d& q, std::size_t& guess) const {
+    guess = tree_.nearest(q, guess).first;
+    const Eigen::Vector3d& near_q = samples_.points[guess];
     std::optional<Eigen::Vector3d> q_far = leave_cell(q, q - near_q);
     if (!q_far) return std::nullopt;
-    const Eigen::Vector3d* near_far = &samples_.points[tree_.nearest(*q_far).first];
+    const Eigen::Vector3d* near_far = &samples_.points[tree_.nearest(*q_far, guess).first];
     if (surely_one_sheet(q - near_q, *q_far - *near_far)) return std::nullopt;
 
     const Eigen::Vector3d p = foot(q, near_q);
@@ -41,7 +43,7 @@ class AxisSearch {
     const Eigen::Vector3d u = (q - p) / distance;
     q_far = leave_cell(q, u);
     if (!q_far) return std::nullopt;
-    near_far = &samples_.points[tree_.nearest(*q_far).first];
+    near_far = &samples_.points[tree_.nearest(*q_far, guess).first];
     const Eigen::Vector3d p_far = foot(*q_far, *near_far);
     const Eigen::Vector3d apart = *q_far - p_far;
     // The foot that the search began with may be nearer than the one that its sample led to: no crossing.
@@ -123,8 +125,9 @@ MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& sam
     tbb::parallel_for(0, ny, [&](int j) {
       auto& row = rows[static_cast<std::size_t>(j)];
       row.clear();
+      std::size_t guess = 0;
       for (int i = 0; i < nx; ++i) {
-        const auto found = search.at(spacing.cwiseProduct(Eigen::Vector3d(i, j, k)));
+        const auto found = search.at(spacing.cwiseProduct(Eigen::Vector3d(i, j, k)), guess);
         if (found) row.push_back(*found);
       }
     });

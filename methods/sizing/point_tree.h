@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <nanoflann.hpp>
 #include <utility>
 #include <vector>
@@ -21,12 +23,11 @@ class PointTree {
 
   /// Index of and distance to the point nearest to x.
   std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x) const {
-    std::size_t found = 0;
-    double square = 0.0;
-    nanoflann::KNNResultSet<double, std::size_t, std::size_t> result(1);
-    result.init(&found, &square);
-    index_.findNeighbors(result, x.data(), nanoflann::SearchParams());
-    return {found, std::sqrt(square)};
+    return nearest(x, 0, std::numeric_limits<double>::max());
+  }
+  /// The same, for an x that point number `guess` is thought to be near: the nearer it is, the sooner the answer.
+  std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x, std::size_t guess) const {
+    return nearest(x, guess, (adaptor_.points[guess] - x).squaredNorm());
   }
 
  private:
@@ -40,6 +41,16 @@ class PointTree {
     }
   };
   using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>, Adaptor, 3>;
+
+  /// The nearest of those whose squared distance is below `square`; `found` if there is none.
+  std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x, std::size_t found, double square) const {
+    const double bound = square;
+    nanoflann::KNNResultSet<double, std::size_t, std::size_t> result(1);
+    result.init(&found, &square);
+    square = bound;
+    index_.findNeighbors(result, x.data(), nanoflann::SearchParams());
+    return {found, std::sqrt(square)};
+  }
 
   Adaptor adaptor_;
   Index index_;

@@ -93,6 +93,15 @@ FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& sam
   return {axis, surface.voxel(), cap};
 }
 
+void show(const Band& band, const std::vector<float>& h0, const std::vector<float>& h, Monitor& monitor) {
+  if (!monitor.keeps_artefacts()) return;
+  Artefact nodes;
+  for (std::size_t n = 0; n < band.size(); ++n) nodes.points.push_back(band.position(n));
+  nodes.data["h0"].assign(h0.begin(), h0.end());
+  nodes.data["h"].assign(h.begin(), h.end());
+  monitor.artefact("sizing", std::move(nodes));
+}
+
 double area_of(const TriangleMesh& mesh) {
   double area = 0.0;
   for (const Triangle& t : mesh.triangles) {
@@ -183,6 +192,7 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
   std::vector<float> h = stages.limiter == Limiter::iteration
                              ? iterate_limit(*band, h0, *request.delta, published_stop, monitor)
                              : limit_gradient(*band, h0, *request.delta, monitor);
+  show(*band, h0, h, monitor);
   return {band, std::move(h0), std::move(h), request.floor * surface.voxel()};
 }
 

@@ -70,8 +70,9 @@ struct SizingStages {
   Limiter limiter = Limiter::fast_marching;
 };
 
-/// Computes the field of a request, in stages "samples", "axis", "band", "limit" of the monitor's current stage. The
-/// points of the medial axis are an artefact, "medial-axis", with their distance from the surface as "radius".
+/// Computes the field of a request, in stages "samples", "axis", "band", "limit" of the monitor's current stage.
+/// Artefacts: "medial-axis", its points with their distance from the surface as "radius", and "sizing", the band's
+/// nodes with "h0" and "h".
 SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
                               const SizingStages& stages = {});
 

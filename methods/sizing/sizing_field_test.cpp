@@ -59,11 +59,14 @@ TEST(SizingStages, LeaveTheMedialAxisBehindWhereAsked) {
     make_sizing_field(surface, request(), silent, {kind, Limiter::fast_marching});
     EXPECT_TRUE(silent.artefacts().empty());
     Monitor keeping;
-    keeping.keep_artefacts();
+    keeping.keep_artefacts(true);
     make_sizing_field(surface, request(), keeping, {kind, Limiter::fast_marching});
     const Artefact& axis = keeping.artefacts().at("medial-axis");
     EXPECT_GT(axis.points.size(), 100U);
     EXPECT_EQ(axis.data.at("radius").size(), axis.points.size());
+    const Artefact& sizing = keeping.artefacts().at("sizing");
+    EXPECT_EQ(sizing.data.at("h0").size(), sizing.points.size());
+    EXPECT_EQ(sizing.data.at("h").size(), sizing.points.size());
   }
 }
 

@@ -97,13 +97,11 @@ bool is_candidate(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>
                   const std::vector<Eigen::Vector3d>& normals, const std::vector<char>& flat, std::size_t cell,
                   std::size_t facet) {
   const DualEdge edge = dual_of(cells, points, cell, facet);
-  bool any = false;
-  for (const std::uint32_t v : cells.facet(cell, facet)) {
-    if (flat[v] == 0) continue;
-    if (!passes_cocone(edge, points[v], normals[v])) return false;
-    any = true;
-  }
-  return any;
+  const auto ends = cells.facet(cell, facet);
+  const bool any_flat = std::any_of(ends.begin(), ends.end(), [&](std::uint32_t v) { return flat[v] != 0; });
+  return std::all_of(ends.begin(), ends.end(), [&](std::uint32_t v) {
+    return (any_flat && flat[v] == 0) || passes_cocone(edge, points[v], normals[v]);
+  });
 }
 
 /// Takes facets away at sharp edges until there is none.
@@ -171,7 +169,7 @@ class Pruning {
       const Eigen::Vector3d to = points_[sides_[s].opposite] - points_[any.low];
       angles.push_back(std::atan2(v.dot(to), u.dot(to)));
     }
-    if (angles.empty()) return false;
+    if (angles.size() < 2) return false;
     std::sort(angles.begin(), angles.end());
     double gap = angles.front() + 2.0 * std::numbers::pi - angles.back();
     for (std::size_t a = 1; a < angles.size(); ++a) gap = std::max(gap, angles[a] - angles[a - 1]);

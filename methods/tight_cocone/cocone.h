@@ -29,8 +29,9 @@ std::vector<Eigen::Vector3d> pole_normals(const DelaunayCells& cells, const std:
 /// A point is flat if its Voronoi cell is at least 1.2 times as high, on either side, as it is wide where the plane
 /// normal to its normal cuts it, and the normals of all its cocone neighbours are within π/3 of its own. A facet is a
 /// candidate if its dual edge passes the cocone, the directions within π/8 of the tangent plane, of each of its flat
-/// vertices, of which it must have one. Then facets are pruned, again and again, at edges between flat points where all
-/// facets lie within a wedge of π/3 (the surface would turn by more than 2π/3), or only one is left.
+/// vertices; if none is flat, of all three. Then facets are pruned, again and again, at edges between flat points where
+/// all facets lie within a wedge of π/3: the surface would turn by more than 2π/3. An edge with one facet stays, and
+/// with it the hole that is for others to close: pruning there would unravel all of the surface from one hole.
 Cocone cocone(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& points,
               const std::vector<Eigen::Vector3d>& normals);
 

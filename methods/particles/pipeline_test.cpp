@@ -1,0 +1,115 @@
+#include "methods/particles/pipeline.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "datasets/phantoms.h"
+#include "methods/mesh_facts.h"
+
+namespace isobench {
+namespace {
+
+struct Choice {
+  std::string stage;
+  std::string name;
+};
+
+TriangleMesh mesh_by(const std::string& preset, const std::vector<Choice>& choices, Monitor& monitor,
+                     const std::string& name = "torus", int nodes = 40) {
+  const Isosurface surface(sample_phantom(phantom(name), nodes), 0.0);
+  const Method& chosen = method(preset);
+  Parameters parameters(chosen.parameters);
+  for (const Choice& choice : choices) parameters.set(chosen.parameters, choice.stage, choice.name);
+  SizingRequest request;
+  request.epsilon = 0.5;
+  request.delta = 0.3;
+  return chosen.mesh(MeshingTask(surface, request, parameters, 1), monitor);
+}
+
+bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles &&
+         std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(Eigen::Vector3d)) == 0;
+}
+
+const std::vector<Choice> published{{"medial_axis", "foot-points"},
+                                    {"limiter", "iteration"},
+                                    {"seeds", "marching-cubes"},
+                                    {"relaxation", "gauss-seidel"},
+                                    {"surface", "tight-cocone"}};
+const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"},
+                               {"limiter", "fast-marching"},
+                               {"seeds", "elimination"},
+                               {"relaxation", "newton"},
+                               {"surface", "labelled-delaunay"}};
+
+TEST(ParticlePresets, AreOnePipelineWithOtherDefaults) {
+  Monitor monitor;
+  EXPECT_TRUE(same_bytes(mesh_by("particles", published, monitor), mesh_by("particles-2007", {}, monitor)));
+  EXPECT_TRUE(same_bytes(mesh_by("particles-2007", ours, monitor), mesh_by("particles", {}, monitor)));
+}
+
+TEST(ParticlePresets, MeshClosedWhicheverStageIsExchanged) {
+  for (const auto& [preset, others] : {std::pair{"particles", published}, std::pair{"particles-2007", ours}}) {
+    for (const Choice& choice : others) {
+      Monitor monitor;
+      const MeshFacts facts = mesh_facts(mesh_by(preset, {choice}, monitor));
+      EXPECT_EQ(facts.open_edges, 0U) << preset << " with " << choice.name;
+      EXPECT_EQ(facts.euler, 0) << preset << " with " << choice.name;
+      EXPECT_EQ(facts.components, 1U) << preset << " with " << choice.name;
+    }
+  }
+}
+
+// One stage at a time, at a place where it shows: on the torus the cocone's facets are the labelled ones, or nearly.
+TEST(ParticlePresets, EveryStageChangesTheMesh) {
+  Monitor monitor;
+  const TriangleMesh base = mesh_by("particles", {}, monitor, "two-spheres", 64);
+  for (const Choice& choice : published) {
+    if (choice.stage == "surface") continue;
+    const TriangleMesh other = mesh_by("particles", {choice}, monitor, "two-spheres", 64);
+    EXPECT_FALSE(same_bytes(base, other)) << choice.name;
+  }
+}
+
+TEST(Particles2007, MeshesPhantomsClosedWithTheRightTopology) {
+  for (const char* name : {"sphere", "torus", "ellipsoid", "slab", "two-spheres", "capsule", "rounded-box"}) {
+    Monitor monitor;
+    const MeshFacts facts = mesh_facts(mesh_by("particles-2007", {}, monitor, name, 48));
+    EXPECT_EQ(facts.open_edges, 0U) << name;
+    EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;
+    EXPECT_EQ(facts.euler, phantom(name).euler) << name;
+    EXPECT_EQ(facts.components, static_cast<std::size_t>(phantom(name).components)) << name;
+    EXPECT_GT(facts.volume, 0.0) << name;
+  }
+}
+
+TEST(Particles2007, LeavesTracesAndArtefacts) {
+  Monitor monitor;
+  monitor.keep_artefacts(true);
+  const TriangleMesh mesh = mesh_by("particles-2007", {}, monitor);
+  const auto& traces = monitor.traces();
+  ASSERT_GT(traces.at("energy").size(), 10U);
+  EXPECT_EQ(traces.at("moves").size(), traces.at("energy").size());
+  EXPECT_LE(traces.at("particles").size(), monitor.counters().at("particles/rounds"));
+  EXPECT_EQ(monitor.artefacts().size(), 3U);
+  const Artefact& particles = monitor.artefacts().at("particles");
+  EXPECT_EQ(static_cast<double>(particles.points.size()), monitor.counters().at("particles/count"));
+  EXPECT_EQ(particles.data.at("h").size(), particles.points.size());
+  EXPECT_EQ(particles.data.at("energy").size(), particles.points.size());
+}
+
+TEST(Particles2007, IsTheSameForAnyNumberOfThreads) {
+  const auto with_threads = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    Monitor monitor;
+    return mesh_by("particles-2007", {}, monitor);
+  };
+  const TriangleMesh one = with_threads(1);
+  EXPECT_TRUE(same_bytes(one, with_threads(4)));
+}
+
+}  // namespace
+}  // namespace isobench
