@@ -1,0 +1,25 @@
+// What closes the holes that a front leaves: their corners are cut off, smallest angle first. This is where the
+// method's worst triangles come from (Schreiner, Scheidegger, Silva 2006; Meyer, Kirby, Whitaker 2007, section 4).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "methods/advancing-front/front.h"
+
+namespace isobench::advancing_front {
+
+/// A loop that the front could not close by itself.
+struct Hole {
+  Eigen::Vector3d centre;  ///< mean of its corners, mm
+  std::size_t edges = 0;
+  std::size_t triangles = 0;  ///< made to close it
+  bool closed = true;
+};
+
+/// Closes every loop that is left, and takes those off the front that no allowed triangle closes. Fronts stay
+/// manifold: a corner is not cut where that would use an edge a third time.
+std::vector<Hole> close_holes(Front& front);
+
+}  // namespace isobench::advancing_front

@@ -1,0 +1,160 @@
+#include "methods/advancing-front/front.h"
+
+namespace isobench::advancing_front {
+
+int Front::make_node(std::uint32_t vertex) {
+  int n = 0;
+  if (free_nodes_.empty()) {
+    n = node_count();
+    nodes_.emplace_back();
+  } else {
+    n = free_nodes_.back();
+    free_nodes_.pop_back();
+  }
+  Node& node = nodes_[static_cast<std::size_t>(n)];
+  node = {vertex, -1, -1, node.stamp + 1, true};
+  ++alive_;
+  return n;
+}
+
+void Front::free_node(int n) {
+  grid_.erase(n);
+  Node& node = nodes_[static_cast<std::size_t>(n)];
+  node.alive = false;
+  ++node.stamp;
+  free_nodes_.push_back(n);
+  --alive_;
+}
+
+void Front::join(int from, int to) {
+  nodes_[static_cast<std::size_t>(from)].next = to;
+  nodes_[static_cast<std::size_t>(to)].previous = from;
+}
+
+void Front::edge_changed(int n) {
+  grid_.erase(n);
+  ++nodes_[static_cast<std::size_t>(n)].stamp;
+  grid_.insert(n, vertex(n).x, vertex(next(n)).x);
+}
+
+void Front::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  triangles_.push_back({a, b, c});
+  used_.insert(a, b);
+  used_.insert(b, c);
+  used_.insert(c, a);
+}
+
+int Front::boundary(const std::vector<Vertex>& loop) {
+  const int first = make_node(static_cast<std::uint32_t>(vertices_.size()));
+  int last = first;
+  vertices_.push_back(loop.front());
+  for (std::size_t n = 1; n < loop.size(); ++n) {
+    const int node = make_node(static_cast<std::uint32_t>(vertices_.size()));
+    vertices_.push_back(loop[n]);
+    join(last, node);
+    last = node;
+  }
+  join(last, first);
+  int node = first;
+  do {
+    edge_changed(node);
+    node = next(node);
+  } while (node != first);
+  return first;
+}
+
+int Front::seed(const std::array<Vertex, 3>& corners) {
+  const auto base = static_cast<std::uint32_t>(vertices_.size());
+  add_triangle(base, base + 1, base + 2);
+  // What is not meshed lies outside the triangle: the loop runs the other way round.
+  const int first = boundary({corners[0], corners[2], corners[1]});
+  // The loop's vertices came in its own order.
+  std::swap(vertices_[base + 1], vertices_[base + 2]);
+  std::swap(nodes_[static_cast<std::size_t>(next(first))].vertex,
+            nodes_[static_cast<std::size_t>(previous(first))].vertex);
+  return first;
+}
+
+int Front::grow(int node, const Vertex& apex) {
+  const int end = next(node);
+  const auto number = static_cast<std::uint32_t>(vertices_.size());
+  vertices_.push_back(apex);
+  add_triangle(this->node(node).vertex, this->node(end).vertex, number);
+  const int made = make_node(number);
+  join(node, made);
+  join(made, end);
+  edge_changed(node);
+  edge_changed(made);
+  return made;
+}
+
+bool Front::connectable(int n, int apex) const {
+  const int end = next(n);
+  const std::uint32_t a = node(n).vertex, b = node(end).vertex, c = node(apex).vertex;
+  if (c == a || c == b) return false;
+  const bool has_end_side = next(end) == apex, has_start_side = next(apex) == n;
+  return (has_end_side || !(used_.contains(b, c) || used_.contains(c, b))) &&
+         (has_start_side || !(used_.contains(c, a) || used_.contains(a, c)));
+}
+
+bool Front::same_loop(int node, int apex) const {
+  // Two walks at once, so that the cost is that of the shorter way round.
+  const int end = next(node);
+  int from_apex = apex, from_end = end;
+  while (true) {
+    from_apex = next(from_apex);
+    if (from_apex == node) return true;
+    if (from_apex == apex) return false;
+    from_end = next(from_end);
+    if (from_end == apex) return true;
+    if (from_end == end) return false;
+  }
+}
+
+Link Front::connect(int node, int apex, std::vector<int>& changed) {
+  const int end = next(node);
+  const bool ear_at_end = next(end) == apex, ear_at_start = next(apex) == node;
+  const bool same = ear_at_end || ear_at_start || same_loop(node, apex);
+  add_triangle(this->node(node).vertex, this->node(end).vertex, this->node(apex).vertex);
+  if (ear_at_end && ear_at_start) {
+    free_node(node);
+    free_node(end);
+    free_node(apex);
+    return Link::closed;
+  }
+  if (ear_at_end) {
+    free_node(end);
+    join(node, apex);
+    edge_changed(node);
+    changed.push_back(node);
+    return Link::ear;
+  }
+  if (ear_at_start) {
+    free_node(node);
+    join(apex, end);
+    edge_changed(apex);
+    changed.push_back(apex);
+    return Link::ear;
+  }
+  const int twin = make_node(this->node(apex).vertex);
+  join(previous(apex), twin);
+  join(twin, end);
+  join(node, apex);
+  edge_changed(node);
+  edge_changed(twin);
+  changed.push_back(node);
+  changed.push_back(twin);
+  return same ? Link::split : Link::merge;
+}
+
+std::size_t Front::abandon(int node) {
+  std::size_t edges = 0;
+  for (int n = node; this->node(n).alive; ++edges) {
+    const int after = next(n);
+    free_node(n);
+    n = after;
+  }
+  return edges;
+}
+
+}  // namespace isobench::advancing_front

@@ -1,0 +1,127 @@
+#include "methods/method.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "methods/advancing-front/advance.h"
+#include "methods/advancing-front/failsafe.h"
+#include "methods/advancing-front/seeds.h"
+#include "methods/marching-cubes/marching_cubes.h"
+
+namespace isobench {
+namespace {
+
+using namespace advancing_front;
+
+std::string place(const Eigen::Vector3d& x) { return fmt::format("({:.3f}, {:.3f}, {:.3f}) mm", x[0], x[1], x[2]); }
+
+void book(const Counts& counts, Monitor& monitor) {
+  monitor.set("advancing-front/seed", static_cast<double>(counts.seed));
+  monitor.set("advancing-front/grown", static_cast<double>(counts.grown));
+  monitor.set("advancing-front/connected", static_cast<double>(counts.connected));
+  monitor.set("advancing-front/split", static_cast<double>(counts.split));
+  monitor.set("advancing-front/merged", static_cast<double>(counts.merged));
+  monitor.set("advancing-front/failsafe", static_cast<double>(counts.failsafe));
+}
+
+class Mesher {
+ public:
+  Mesher(const MeshingTask& task, Step step, double finest, Monitor& monitor)
+      : task_(task), step_(std::move(step)), front_(finest), monitor_(monitor) {}
+
+  TriangleMesh mesh() {
+    start_and_advance();
+    close();
+    book(counts_, monitor_);
+    TriangleMesh result;
+    result.triangles = front_.triangles();
+    for (const Vertex& v : front_.vertices()) result.vertices.push_back(v.x);
+    drop_unused_vertices(result);
+    if (result.triangles.empty()) throw Skipped("advancing-front: no front could be started anywhere on the surface");
+    return result;
+  }
+
+ private:
+  void start_and_advance() {
+    const auto stage = monitor_.stage("fronts");
+    const TriangleMesh lattice_mesh = marching_cubes(task_.surface, monitor_);
+    std::size_t reached = 0;
+    for (const Component& component : components_of(lattice_mesh)) {
+      // A component must be a few edges round, whatever the sizing says.
+      const Step step = [this, most = 0.4 * component.diagonal](const Eigen::Vector3d& x) {
+        return std::min(step_(x), most);
+      };
+      start_on(lattice_mesh, component, step);
+      reached += component.vertices.size();
+      monitor_.progress(static_cast<double>(reached) / static_cast<double>(lattice_mesh.vertices.size()));
+    }
+  }
+
+  void start_on(const TriangleMesh& lattice_mesh, const Component& component, const Step& step) {
+    const auto points = starting_points(lattice_mesh, component, step, task_.seed);
+    for (const Eigen::Vector3d& point : points) {
+      if (is_meshed(front_.vertices(), make_vertex(task_.surface, step, point))) return;  // the two are one
+      const auto corners = seed_triangle(task_.surface, step, point, task_.seed);
+      if (!corners) continue;
+      ++counts_.seed;
+      Advance advance(task_.surface, step, front_, counts_);
+      advance.add_loop(front_.seed(*corners));
+      advance.run(monitor_);
+      return;
+    }
+    monitor_.note(fmt::format("advancing-front: no triangle fits the component of the surface at {}; it is left out",
+                              place(lattice_mesh.vertices[component.vertices.front()])));
+  }
+
+  void close() {
+    const auto stage = monitor_.stage("failsafe");
+    const std::vector<Hole> holes = close_holes(front_);
+    for (const Hole& hole : holes) {
+      counts_.failsafe += hole.triangles;
+      monitor_.note(fmt::format("advancing-front: the failsafe {} a hole of {} edges at {}",
+                                hole.closed ? "closed" : "could not close", hole.edges, place(hole.centre)));
+    }
+    monitor_.set("advancing-front/holes", static_cast<double>(holes.size()));
+    monitor_.set("advancing-front/open holes",
+                 static_cast<double>(std::count_if(holes.begin(), holes.end(), [](auto& h) { return !h.closed; })));
+  }
+
+  const MeshingTask& task_;
+  Step step_;
+  Front front_;
+  Counts counts_;
+  Monitor& monitor_;
+};
+
+TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
+  const auto field = task.sizing_field(monitor);
+  const double g = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
+  const Step step = [&field, g](const Eigen::Vector3d& x) { return field->h(x) / g; };
+  return Mesher(task, step, 0.5 * field->smallest() / g, monitor).mesh();
+}
+
+}  // namespace
+
+Method method_advancing_front() {
+  Method method;
+  method.name = "advancing-front";
+  method.summary =
+      "Triangles grown one by one from the rim of what is meshed, their new vertices turned onto F = c "
+      "(after Schreiner, Scheidegger, Silva 2006)";
+  method.revision = 1;
+  method.parameters = {
+      {"contraction",
+       1.5,
+       "",
+       "g: adaptive spacing is h/g, as the particles have it, so that methods compare at equal sizing",
+       1.0,
+       4.0,
+       {},
+       false},
+  };
+  method.mesh = mesh;
+  return method;
+}
+
+}  // namespace isobench

@@ -1,0 +1,104 @@
+#include "methods/advancing-front/seeds.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "methods/advancing-front/fences.h"
+#include "methods/particles/random.h"
+
+namespace isobench::advancing_front {
+
+namespace {
+
+std::vector<std::uint32_t> component_roots(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t n) {
+    while (parent[n] != n) n = parent[n] = parent[parent[n]];
+    return n;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::size_t corner : {1U, 2U}) {
+      const std::uint32_t first = root(t[0]), second = root(t[corner]);
+      parent[std::max(first, second)] = std::min(first, second);
+    }
+  }
+  for (std::uint32_t n = 0; n < parent.size(); ++n) parent[n] = root(n);
+  return parent;
+}
+
+}  // namespace
+
+std::vector<Component> components_of(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> roots = component_roots(mesh);
+  std::vector<std::size_t> number(roots.size());
+  std::vector<Component> components;
+  for (std::uint32_t n = 0; n < roots.size(); ++n) {
+    if (roots[n] == n) {
+      number[n] = components.size();
+      components.emplace_back();
+    }
+    components[number[roots[n]]].vertices.push_back(n);
+  }
+  for (Component& component : components) {
+    Eigen::Vector3d low = mesh.vertices[component.vertices.front()], high = low;
+    for (const std::uint32_t n : component.vertices) {
+      low = low.cwiseMin(mesh.vertices[n]);
+      high = high.cwiseMax(mesh.vertices[n]);
+    }
+    component.diagonal = (high - low).norm();
+  }
+  std::stable_sort(components.begin(), components.end(),
+                   [](const Component& a, const Component& b) { return a.vertices.size() > b.vertices.size(); });
+  return components;
+}
+
+std::vector<Eigen::Vector3d> starting_points(const TriangleMesh& mesh, const Component& component, const Step& step,
+                                             std::uint64_t seed) {
+  constexpr std::size_t draws = 32;
+  std::vector<std::pair<double, std::uint32_t>> drawn;
+  for (std::size_t n = 0; n < draws; ++n) {
+    const double at = particles::uniform(seed, component.vertices.front(), n);
+    const std::uint32_t vertex =
+        component.vertices[static_cast<std::size_t>(at * static_cast<double>(component.vertices.size()))];
+    drawn.emplace_back(-step(mesh.vertices[vertex]), vertex);
+  }
+  std::sort(drawn.begin(), drawn.end());
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& [key, vertex] : drawn) points.push_back(mesh.vertices[vertex]);
+  return points;
+}
+
+std::optional<std::array<Vertex, 3>> seed_triangle(const Isosurface& surface, const Step& step,
+                                                   const Eigen::Vector3d& near, std::uint64_t seed) {
+  const auto foot = surface.project(near);
+  if (!foot) return std::nullopt;
+  const Vertex centre = make_vertex(surface, step, *foot);
+  const Eigen::Vector3d right = centre.normal.unitOrthogonal(), up = centre.normal.cross(right);
+  const double turn = 2.0 * std::numbers::pi * particles::uniform(seed, 0, 7);
+  std::array<Vertex, 3> corners;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const double angle = turn + static_cast<double>(n) * 2.0 * std::numbers::pi / 3.0;
+    const auto corner =
+        surface.project(*foot + centre.step / std::numbers::sqrt3 * (std::cos(angle) * right + std::sin(angle) * up));
+    if (!corner) return std::nullopt;
+    corners[n] = make_vertex(surface, step, *corner);
+  }
+  const Tentative t{{corners.data(), &corners[1], &corners[2]}};
+  if (normal_agreement(t) < 0.5 || circumradius_over_inradius(t) > 4.0) return std::nullopt;
+  return corners;
+}
+
+bool is_meshed(const std::vector<Vertex>& vertices, const Vertex& x) {
+  return std::any_of(vertices.begin(), vertices.end(), [&](const Vertex& v) {
+    return (v.x - x.x).squaredNorm() < v.step * v.step && v.normal.dot(x.normal) > 0.0;
+  });
+}
+
+}  // namespace isobench::advancing_front
