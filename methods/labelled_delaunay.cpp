@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -134,8 +135,9 @@ std::vector<Triangle> LabelledDelaunay::triangles() const {
   return result;
 }
 
-void LabelledDelaunay::insert(const std::vector<Eigen::Vector3d>& points) {
+std::vector<std::uint32_t> LabelledDelaunay::insert(const std::vector<Eigen::Vector3d>& points) {
   Triangulation& t = *triangulation_;
+  std::vector<std::uint32_t> changed;
   std::vector<Cell> around;
   for (const Eigen::Vector3d& x : points) {
     const auto vertex = t.delaunay.insert(Kernel3::Point_3(x[0], x[1], x[2]));
@@ -144,8 +146,17 @@ void LabelledDelaunay::insert(const std::vector<Eigen::Vector3d>& points) {
     t.vertices.push_back(vertex);
     around.clear();
     t.delaunay.incident_cells(vertex, std::back_inserter(around));
-    for (const Cell& cell : around) cell->info() = !t.delaunay.is_infinite(cell) && inside_object(cell, t.surface);
+    for (const Cell& cell : around) {
+      const bool hull = t.delaunay.is_infinite(cell);
+      cell->info() = !hull && inside_object(cell, t.surface);
+      for (int i = 0; i < 4; ++i) {
+        if (!t.delaunay.is_infinite(cell->vertex(i))) changed.push_back(cell->vertex(i)->info());
+      }
+    }
   }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  return changed;
 }
 
 bool LabelledDelaunay::flip_label_at(std::uint32_t point) {

@@ -137,17 +137,18 @@ class Components {
   }
 
   /// Of components on which no particle with a facet stands: some points each, well apart.
-  std::vector<std::vector<Eigen::Vector3d>> lost(const Particles& particles, const Fans& fans) const {
-    std::vector<std::uint32_t> nearest(particles.size());
-    tbb::parallel_for(std::size_t{0}, particles.size(),
-                      [&](std::size_t n) { nearest[n] = of_[tree_.nearest(particles.points[n]).first]; });
-    std::map<std::uint32_t, bool> met;
+  std::vector<std::vector<Eigen::Vector3d>> lost(const Particles& particles, const Fans& fans) {
+    const std::size_t known = component_.size();
+    component_.resize(particles.size());
+    tbb::parallel_for(known, particles.size(),
+                      [&](std::size_t n) { component_[n] = of_[tree_.nearest(particles.points[n]).first]; });
+    std::vector<char> met(of_.size(), 0);
     for (std::size_t n = 0; n < particles.size(); ++n) {
-      if (fans.count(n) > 0) met[nearest[n]] = true;
+      if (fans.count(n) > 0) met[component_[n]] = 1;
     }
     std::map<std::uint32_t, std::vector<Eigen::Vector3d>> members;
     for (std::uint32_t n = 0; n < of_.size(); ++n) {
-      if (met.count(of_[n]) == 0) members[of_[n]].push_back(mesh_.vertices[n]);
+      if (met[of_[n]] == 0) members[of_[n]].push_back(mesh_.vertices[n]);
     }
     std::vector<std::vector<Eigen::Vector3d>> result;
     for (const auto& [component, points] : members) result.push_back(spread(points));
@@ -177,14 +178,20 @@ class Components {
 
   const TriangleMesh& mesh_;
   PointTree tree_;
-  std::vector<std::uint32_t> of_;
+  std::vector<std::uint32_t> of_;         // of each vertex: one that stands for its component
+  std::vector<std::uint32_t> component_;  // of each particle that was looked at before
 };
 
 class Curing {
  public:
   Curing(const Isosurface& surface, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& particles,
          LabelledDelaunay& delaunay)
-      : surface_(surface), spacing_(spacing), components_(lattice_mesh), particles_(particles), delaunay_(delaunay) {}
+      : surface_(surface),
+        spacing_(spacing),
+        components_(lattice_mesh),
+        particles_(particles),
+        delaunay_(delaunay),
+        fresh_(particles.size(), 1) {}
 
   Cure run(int rounds, Monitor& monitor) {
     Cure cure;
@@ -203,6 +210,7 @@ class Curing {
     for (int cut = 0; cut < cuts && !found.pinched.empty(); ++cut) {
       std::size_t flipped = 0;
       for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
+      std::fill(fresh_.begin(), fresh_.end(), 1);
       cure.flipped += flipped;
       if (flipped == 0) break;
       found = look();
@@ -221,7 +229,10 @@ class Curing {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 1024), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n) {
         wrong[n] = is_tilted(facets_[n], particles_) ? 1 : 0;
-        crossed[n] = crossings(facets_[n], surface_) > 1 ? 1 : 0;
+        // What was right and has not changed is right: the walk along the dual edge is what costs.
+        const Triangle& corners = facets_[n].corners;
+        const bool fresh = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return fresh_[c] != 0; });
+        crossed[n] = fresh && crossings(facets_[n], surface_) > 1 ? 1 : 0;
       }
     });
     std::vector<char> pinched(particles_.size(), 0);
@@ -243,6 +254,10 @@ class Curing {
     found.defects.isolated = found.isolated.size();
     for (std::uint32_t n = 0; n < facets_.size(); ++n) {
       if (wrong[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
+    }
+    std::fill(fresh_.begin(), fresh_.end(), 0);
+    for (const std::uint32_t n : found.facets) {
+      for (const std::uint32_t corner : facets_[n].corners) fresh_[corner] = 1;
     }
     lost_ = components_.lost(particles_, fans);
     found.defects.lost = lost_.size();
@@ -269,10 +284,12 @@ class Curing {
       }
     }
     Particles fresh = make_particles(surface_, spacing_, added_);
-    delaunay_.insert(fresh.points);
+    const std::vector<std::uint32_t> changed = delaunay_.insert(fresh.points);
     particles_.points.insert(particles_.points.end(), fresh.points.begin(), fresh.points.end());
     particles_.normals.insert(particles_.normals.end(), fresh.normals.begin(), fresh.normals.end());
     particles_.spacing.insert(particles_.spacing.end(), fresh.spacing.begin(), fresh.spacing.end());
+    fresh_.resize(particles_.size(), 1);
+    for (const std::uint32_t n : changed) fresh_[n] = 1;
     return added_.size();
   }
 
@@ -306,6 +323,7 @@ class Curing {
   std::vector<Facet> facets_;
   std::vector<std::vector<Eigen::Vector3d>> lost_;
   std::vector<Eigen::Vector3d> added_;
+  std::vector<char> fresh_;  // of each particle: its facets are still to be judged
 };
 
 }  // namespace
