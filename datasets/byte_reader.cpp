@@ -124,10 +124,21 @@ bool ByteReader::read_line(std::string& line, std::size_t limit) {
   return true;
 }
 
+std::uintmax_t ByteReader::skip(std::uintmax_t count) {
+  std::vector<char> block(static_cast<std::size_t>(std::min<std::uintmax_t>(count, std::size_t{1} << 16U)));
+  std::uintmax_t done = 0;
+  while (done < count) {
+    const std::size_t got =
+        read(block.data(), static_cast<std::size_t>(std::min<std::uintmax_t>(count - done, block.size())));
+    if (got == 0) break;
+    done += got;
+  }
+  return done;
+}
+
 void ByteReader::finish() {
   if (state_->encoding == Encoding::plain) return;
-  std::vector<char> rest(chunk_bytes);
-  if (read(rest.data(), rest.size()) == rest.size()) {
+  if (skip(chunk_bytes) == chunk_bytes) {
     throw DataError(path_.string() +
                     ": its compressed data go on long after the samples that its header promises; export it again");
   }

@@ -47,7 +47,7 @@ bool accepts(Body&& body) {
 /// A file of these bytes, in a folder of this process that all targets share; what is read by path is tried so.
 inline std::filesystem::path fuzz_file(const std::string& name, std::string_view bytes) {
   static const TestFolder folder;
-  const std::filesystem::path path = folder.path() / name;
+  std::filesystem::path path = folder.path() / name;
   std::ofstream(path, std::ios::binary | std::ios::trunc)
       .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return path;

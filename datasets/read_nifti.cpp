@@ -190,8 +190,7 @@ void skip_to_samples(ByteReader& reader, const Header& header) {
   }
   const std::size_t done = header.version == 1 ? size_1 : size_2;
   const std::size_t offset = std::max(static_cast<std::size_t>(std::max(header.offset, 0.0)), done + 4);
-  std::vector<char> extensions(offset - done);
-  reader.read(extensions.data(), extensions.size());
+  reader.skip(offset - done);
 }
 
 bool is_gzip(const std::filesystem::path& path) {

@@ -154,9 +154,7 @@ void read_data(const Header& header, const std::filesystem::path& data, std::uin
   }
   ByteReader reader(data, zipped ? Encoding::deflated : Encoding::plain, begin);
   skip_lines(reader, header.number("lineskip", 0.0));
-  std::vector<char> skipped(1);
-  for (double n = 0; n < skip && reader.read(skipped.data(), 1) == 1; ++n) {
-  }
+  if (skip > 0.0) reader.skip(static_cast<std::uintmax_t>(std::min(std::ceil(skip), 1e15)));
   if (text) return read_text_samples(reader, nodes, volume.samples);
   read_samples(reader, nodes, *type, order, volume.samples);
 }

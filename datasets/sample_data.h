@@ -31,6 +31,8 @@ class ByteReader {
   std::size_t read(char* bytes, std::size_t count);
   /// One line without its end ("\n" or "\r\n"), at most `limit` bytes; false where the data end.
   bool read_line(std::string& line, std::size_t limit = 65536);
+  /// Passes over up to `count` bytes; says how many there were.
+  std::uintmax_t skip(std::uintmax_t count);
   /// Of a compressed stream: reads on to its end. Throws DataError if it stops before its own end mark, its checksum
   /// does not match, or it goes on for more than a mebibyte (a few kilobytes inflate to gigabytes of zeros).
   void finish();

@@ -1,5 +1,6 @@
 #include "experiments/config.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -241,14 +242,13 @@ TEST(ConfigErrors, NamesThatWouldLeaveTheResultsFolder) {
   }
   EXPECT_THROW(read_config(write(plain, std::string(150, 'n') + ".toml")), UsageError);
   for (const char* dataset : {"../torus", "/torus", "torus/../torus", ".", "..", ""}) {
-    expect_mistake(replaced(plain, "\"torus\"", "\"" + std::string(dataset) + "\""),
-                   {"config.toml:1:", "unknown dataset"});
+    expect_mistake(replaced(plain, "\"torus\"", fmt::format("\"{}\"", dataset)), {"config.toml:1:", "unknown dataset"});
   }
   expect_mistake(replaced(plain, "marching-cubes", "../marching-cubes"), {"config.toml:6:", "unknown method"});
   // A manifest of the user's own that is there, but whose name would be no folder's.
   const std::string manifest = "title = \"P\"\n[phantom]\nname = \"torus\"\nnodes = 64\n";
   const fs::path hidden = write(manifest, ".tmp-own.toml");
-  expect_mistake(replaced(plain, "\"torus\"", "\"" + hidden.string() + "\""), {".tmp-own.toml", "rename it"});
+  expect_mistake(replaced(plain, "\"torus\"", fmt::format("\"{}\"", hidden.string())), {".tmp-own.toml", "rename it"});
 }
 
 TEST(ConfigErrors, TextsThatNoTableCanTake) {

@@ -377,19 +377,31 @@ std::string text_of_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// JSON without line breaks and indentation: libFuzzer cuts seeds that are longer than the inputs it makes.
+std::string compact(const std::string& json) {
+  std::string text;
+  for (std::size_t n = 0; n < json.size(); ++n) {
+    if (json[n] == '\n')
+      n = json.find_first_not_of(' ', n + 1) - 1;
+    else
+      text += json[n];
+  }
+  return text;
+}
+
 void write_records(const fs::path& root) {
   const Corpus corpus(root, "reports", "record");
   RunRecord record = sample_record("skull", "particles", "best");
   record.measurement->radius_ratio.histogram = Histogram(0.0, 1.0, 3);
-  const std::string whole = to_json(record);
+  const std::string whole = compact(to_json(record));
   corpus.write("good-whole", whole);
   RunRecord failed = record;
   failed.status = Status::timeout;
   failed.measurement.reset();
   failed.dataset.reset();
   failed.reason = "longer than 20 minutes | no table's business & \\LaTeX's";
-  corpus.write("good-failed", to_json(failed));
-  corpus.write("bad-cut", whole.substr(0, 1500));
+  corpus.write("good-failed", compact(to_json(failed)));
+  corpus.write("bad-cut", whole.substr(0, 1000));
   corpus.write("bad-run-outside", replaced(whole, "\"skull-best\"", "\"../../skull\""));
   corpus.write("bad-run-empty", replaced(whole, "\"skull-best\"", "\"\""));
   corpus.write("bad-dataset-hidden", replaced(whole, "\"dataset\": \"skull\"", "\"dataset\": \"x/.tmp-y.toml\""));
@@ -406,9 +418,9 @@ void write_plans(const fs::path& root) {
   RunRequest uniform = sample_record("torus", "marching-cubes").request;
   uniform.sizing = {};
   uniform.sizing.vertices = 50000;
-  const std::string whole = plan_to_json({sample_record("skull", "particles").request, uniform});
+  const std::string whole = compact(plan_to_json({sample_record("skull", "particles").request, uniform}));
   corpus.write("good-whole", whole);
-  corpus.write("good-empty", plan_to_json({}));
+  corpus.write("good-empty", compact(plan_to_json({})));
   corpus.write("bad-cut", whole.substr(0, 700));
   corpus.write("bad-run-outside", replaced(whole, "\"torus-marching-cubes\"", "\"/tmp/torus\""));
   corpus.write("bad-seed", replaced(whole, "\"seed\": 1", "\"seed\": -1"));

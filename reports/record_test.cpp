@@ -1,5 +1,6 @@
 #include "reports/record.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -141,12 +142,12 @@ TEST(RecordBadInput, NamesAndNumbersThatWouldDoHarm) {
     }
   };
   for (const char* name : {"..", ".", "", "../skull", "/tmp", "a/b", ".tmp-skull", "a\\u0000b", "-rf"}) {
-    refused("\"skull-best\"", "\"" + std::string(name) + "\"");
+    refused("\"skull-best\"", fmt::format("\"{}\"", name));
   }
   refused("\"method\": \"particles\"", "\"method\": \"../particles\"");
   refused("\"dataset\": \"skull\"", "\"dataset\": \"a/.hidden.toml\"");
   for (const char* number : {"1e300", "2.5", "true", "99999999999", "\"2\"", "null"}) {
-    refused("\"threads\": 2", "\"threads\": " + std::string(number));
+    refused("\"threads\": 2", fmt::format("\"threads\": {}", number));
   }
   refused("\"seed\": 1", "\"seed\": -1");
   refused("\"reference_k\": 2", "\"reference_k\": 30000");
