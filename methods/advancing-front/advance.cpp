@@ -70,12 +70,12 @@ void Advance::try_grow(const Entry& entry) {
   if (const auto same = vertex_at(apex)) {
     t.corners[2] = &front_.vertex(*same);
     t.apex = *same;
-    if (front_.connectable(t.base, t.apex) && normal_agreement(t) >= rule.agreement && in_gaps(front_, t) &&
+    if (front_.connectable(t.base, t.apex) && normal_agreement(t) >= rule.agreement && gaps_left(front_, t) &&
         fences(front_, t, near_, 0.0) == Fence::clear) {
       connect(t.base, t.apex);
       return;
     }
-  } else if (normal_agreement(t) >= rule.agreement && in_gaps(front_, t) &&
+  } else if (normal_agreement(t) >= rule.agreement && gaps_left(front_, t) &&
              fences(front_, t, near_, margin) == Fence::clear) {
     const int made = front_.grow(entry.node, apex);
     ++counts_.grown;
@@ -104,15 +104,16 @@ std::optional<Advance::Candidate> Advance::best_candidate(int node, int rules) {
     const Vertex& c = front_.vertex(n);
     if (&c == &a || &c == &b || (c.x - middle).norm() > reach) continue;
     const Tentative t{{&a, &b, &c}, node, n};
-    if (normal_agreement(t) >= rule.agreement) candidates_.push_back({n, smallest_angle(t)});
+    if (normal_agreement(t) < rule.agreement) continue;
+    const auto left = gaps_left(front_, t);
+    if (left) candidates_.push_back({n, std::min(smallest_angle(t), *left)});
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
     return x.angle != y.angle ? x.angle > y.angle : x.node < y.node;
   });
   for (const Candidate& candidate : candidates_) {
     const Tentative t{{&a, &b, &front_.vertex(candidate.node)}, node, candidate.node};
-    if (front_.connectable(node, candidate.node) && in_gaps(front_, t) &&
-        fences(front_, t, near_, 0.0) == Fence::clear) {
+    if (front_.connectable(node, candidate.node) && fences(front_, t, near_, 0.0) == Fence::clear) {
       return candidate;
     }
   }

@@ -151,22 +151,30 @@ double normal_agreement(const Tentative& t) {
   return std::min({n.dot(t.corners[0]->normal), n.dot(t.corners[1]->normal), n.dot(t.corners[2]->normal)});
 }
 
-bool in_gaps(const Front& front, const Tentative& t) {
-  constexpr double least = 1e-3;  // radians
+std::optional<double> gaps_left(const Front& front, const Tentative& t) {
   const int start = t.base, end = front.next(t.base);
+  const bool ear_at_start = t.apex >= 0 && front.next(t.apex) == start;
+  const bool ear_at_end = t.apex >= 0 && front.next(end) == t.apex;
+  double least = std::numbers::pi;
   const Gap at_start(front, start);
   const double to_apex = at_start.angle(t.corners[2]->x);
-  const bool ear_at_start = t.apex >= 0 && front.next(t.apex) == start;
-  if (to_apex < least || (!ear_at_start && to_apex > at_start.end - least)) return false;
+  if (!(to_apex > 0.0)) return std::nullopt;
+  if (!ear_at_start) least = std::min(least, at_start.end - to_apex);
   const Gap at_end(front, end);
-  const double from_apex = at_end.angle(t.corners[2]->x);
-  const bool ear_at_end = t.apex >= 0 && front.next(end) == t.apex;
-  if (from_apex > at_end.end - least || (!ear_at_end && from_apex < least)) return false;
-  if (t.apex < 0) return true;
-  const Gap at_apex(front, t.apex);
-  const double to_start = ear_at_start ? 0.0 : at_apex.angle(t.corners[0]->x);
-  const double to_end = ear_at_end ? at_apex.end : at_apex.angle(t.corners[1]->x);
-  return to_start < to_end && (ear_at_start || to_start > least) && (ear_at_end || to_end < at_apex.end - least);
+  if (!ear_at_end) {
+    const double from_apex = at_end.angle(t.corners[2]->x);
+    if (from_apex >= at_end.end) return std::nullopt;
+    least = std::min(least, from_apex);
+  }
+  if (t.apex >= 0) {
+    const Gap at_apex(front, t.apex);
+    const double to_start = ear_at_start ? 0.0 : at_apex.angle(t.corners[0]->x);
+    const double to_end = ear_at_end ? at_apex.end : at_apex.angle(t.corners[1]->x);
+    if (to_start >= to_end) return std::nullopt;
+    if (!ear_at_start) least = std::min(least, to_start);
+    if (!ear_at_end) least = std::min(least, at_apex.end - to_end);
+  }
+  return least > 1e-3 ? std::optional(least) : std::nullopt;
 }
 
 Fence fences(const Front& front, const Tentative& t, const std::vector<int>& edges, double margin) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "methods/advancing-front/front.h"
@@ -24,8 +25,9 @@ double smallest_angle(const Tentative& t);
 double circumradius_over_inradius(const Tentative& t);
 /// The smallest cosine between the triangle's normal and those of its corners.
 double normal_agreement(const Tentative& t);
-/// Whether its new edges leave every corner into the gap that they are to divide.
-bool in_gaps(const Front& front, const Tentative& t);
+/// The smallest angle (radians) that its new edges leave of the gaps that they divide; π where none is divided.
+/// std::nullopt where an edge does not leave its corner into the gap.
+std::optional<double> gaps_left(const Front& front, const Tentative& t);
 
 /// What the front round a triangle does to it.
 enum class Fence { clear, near, crossed };
