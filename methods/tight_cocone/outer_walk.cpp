@@ -1,7 +1,10 @@
 #include "methods/tight_cocone/outer_walk.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace isobench {
@@ -16,19 +19,23 @@ struct Side {
 
 class Walk {
  public:
-  Walk(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& points, const std::vector<Cocone::Facet>& facets)
+  Walk(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& points,
+       const std::vector<Eigen::Vector3d>& normals, const Cocone& cocone)
       : cells_(cells),
         points_(points),
+        normals_(normals),
+        cocone_(cocone),
+        turn_(points.size(), 0),
         candidate_(4 * cells.size(), 0),
         piece_(4 * cells.size(), 0),
         walked_(4 * cells.size(), 0),
         kept_(4 * cells.size(), 0) {
-    for (const Cocone::Facet& facet : facets) mark(candidate_, {facet.cell, facet.index}, char{1});
+    for (const Cocone::Facet& facet : cocone.facets) mark(candidate_, {facet.cell, facet.index}, char{1});
   }
 
-  std::vector<char> run(const std::vector<Cocone::Facet>& facets) {
+  std::vector<char> run() {
     std::uint32_t pieces = 0;
-    for (const Cocone::Facet& facet : facets) {
+    for (const Cocone::Facet& facet : cocone_.facets) {
       const Side first{facet.cell, facet.index};
       if (piece_[slot(first)] != 0) continue;
       const std::vector<Side> piece = piece_of(first, ++pieces);
@@ -143,18 +150,37 @@ class Walk {
     return best;
   }
 
+  /// Whether a side may be walked on; if so its flat vertices learn where outside is. Normals that all but lie in the
+  /// facet say nothing.
+  bool turned_outwards(const Side& side) {
+    const auto ends = cells_.facet(side.cell, side.facet);
+    const Eigen::Vector3d out =
+        -(points_[ends[1]] - points_[ends[0]]).cross(points_[ends[2]] - points_[ends[0]]).normalized();
+    std::array<double, 3> cosines{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (cocone_.flat[ends[k]] == 0) continue;
+      cosines[k] = out.dot(normals_[ends[k]]);
+      if (cosines[k] * turn_[ends[k]] < -0.3) return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (turn_[ends[k]] == 0 && std::abs(cosines[k]) > 0.5) turn_[ends[k]] = cosines[k] > 0.0 ? 1 : -1;
+    }
+    return true;
+  }
+
   void walk(const Side& start) {
+    if (!turned_outwards(start)) return;
+    // In rings from the start, so that the outside of a place is known before a detour could come to its inside.
     std::vector<Side> open{start};
     walked_[slot(start)] = 1;
-    while (!open.empty()) {
-      const Side side = open.back();
-      open.pop_back();
+    for (std::size_t n = 0; n < open.size(); ++n) {
+      const Side side = open[n];
       mark<char>(kept_, side, 1);
       for (std::uint32_t to = 0; to < 4; ++to) {
         if (to == side.facet) continue;
         const Side found = next(side, to);
         // Round an edge that only this facet has, one would come to its other side.
-        if (walked_[slot(found)] != 0 || slot(found) == slot(other(side))) continue;
+        if (walked_[slot(found)] != 0 || slot(found) == slot(other(side)) || !turned_outwards(found)) continue;
         walked_[slot(found)] = 1;
         open.push_back(found);
       }
@@ -163,6 +189,9 @@ class Walk {
 
   const DelaunayCells& cells_;
   const std::vector<Eigen::Vector3d>& points_;
+  const std::vector<Eigen::Vector3d>& normals_;
+  const Cocone& cocone_;
+  std::vector<signed char> turn_;  // of a flat vertex: 1 if its normal points outside, −1 if inside, 0 not yet known
   std::vector<char> candidate_;
   std::vector<std::uint32_t> piece_;  // of a candidate: which, from 1 on
   std::vector<char> walked_;          // sides, each on its own
@@ -172,8 +201,8 @@ class Walk {
 }  // namespace
 
 std::vector<char> outer_manifold(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& points,
-                                 const std::vector<Cocone::Facet>& facets) {
-  return Walk(cells, points, facets).run(facets);
+                                 const std::vector<Eigen::Vector3d>& normals, const Cocone& cocone) {
+  return Walk(cells, points, normals, cocone).run();
 }
 
 }  // namespace isobench

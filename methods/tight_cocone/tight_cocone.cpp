@@ -168,7 +168,7 @@ TightCocone close_cells(const DelaunayCells& cells, const std::vector<Eigen::Vec
   result.candidates = pieces.candidates;
   result.pruned = pieces.candidates - pieces.facets.size();
   result.undersampled = static_cast<std::size_t>(std::count(pieces.flat.begin(), pieces.flat.end(), 0));
-  const std::vector<char> manifold = outer_manifold(cells, points, pieces.facets);
+  const std::vector<char> manifold = outer_manifold(cells, points, normals, pieces);
   monitor.progress(0.8);
   std::vector<char> good(points.size(), 0);
   for (std::uint32_t p = 0; p < points.size(); ++p) good[p] = has_umbrella(cells, manifold, p) ? 1 : 0;
