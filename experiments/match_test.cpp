@@ -14,7 +14,7 @@ const char* const experiment = R"(dataset = "sphere"
 match = "vertices"
 match_to = "particles"
 [sampling]
-epsilon = 1.0
+epsilon = 0.25
 delta = 0.5
 [[method]]
 name = "marching-cubes"
