@@ -1,7 +1,7 @@
 // Fuzzing. A target is a function `bool isobench::fuzz_<name>(std::string_view bytes)` in a *_fuzz.cpp beside the code
 // that it tries, listed in its folder's CMakeLists.txt: it takes any bytes for an input and returns whether they were a
 // good one. From it come
-//   - the libFuzzer program fuzz-<name> (preset "fuzz", section "fuzz" of .ci/run), which looks for inputs that do
+//   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which looks for inputs that do
 //     harm, starting from corpus/<name>/ beside the target;
 //   - the test Corpus.<name> of the folder's suite, which tries every file of that corpus, in any build.
 // Whatever harm is found becomes a file of the corpus when it is mended; the good files are made by write_seeds
