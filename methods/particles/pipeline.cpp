@@ -59,7 +59,23 @@ void book(const PopulationChange& change, std::size_t count, Monitor& monitor) {
   monitor.trace("particles", static_cast<double>(count));
 }
 
+constexpr std::uint64_t most_rounds = 200;  // never seen to be needed
+constexpr double still = 0.01;              // share of particles that still come and go at the end
+
+/// Lattice seeds are as many as the lattice has, not as the sizing asks for, and the few controls of Newton's stage
+/// could not make up for that.
+void bring_to_number(const MeshingTask& task, const Spacing& spacing, Particles& all, Monitor& monitor) {
+  constexpr int sweeps = 5;
+  for (std::uint64_t round = 0; round < most_rounds; ++round) {
+    relax(task.surface, spacing, all, sweeps, monitor);
+    const auto change = control_population_by_bias(task.surface, spacing, all, task.seed, round);
+    book(change, all.size(), monitor);
+    if (static_cast<double>(change.split + change.deleted) < still * static_cast<double>(all.size())) return;
+  }
+}
+
 void relax_by_newton(const MeshingTask& task, const Spacing& spacing, Particles& all, Monitor& monitor) {
+  if (chosen(task, "seeds", "marching-cubes")) bring_to_number(task, spacing, all, monitor);
   const int sweeps = task.parameters.integer("sweeps");
   const int rounds = task.parameters.integer("rounds");
   // Half of the sweeps between the population controls, half after the last.
@@ -74,8 +90,6 @@ void relax_by_newton(const MeshingTask& task, const Spacing& spacing, Particles&
 }
 
 void relax_as_published(const MeshingTask& task, const Spacing& spacing, Particles& all, Monitor& monitor) {
-  constexpr std::uint64_t most_rounds = 200;  // never seen to be needed
-  constexpr double still = 0.01;              // share of particles that still come and go at the end
   std::uint64_t round = 0;
   for (; round < most_rounds; ++round) {
     relax_in_order(task.surface, spacing, all, monitor);
