@@ -6,6 +6,13 @@
 
 namespace isobench::advancing_front {
 
+namespace {
+
+/// The smallest step to expect on the same sheet within a distance: fields are limited to a slope of 0.3 at most.
+double least_step(double step, double distance) { return std::max(0.1 * step, step - 0.3 * distance); }
+
+}  // namespace
+
 struct Advance::Rules {
   double margin;     ///< between a grown triangle and fences, in steps
   double agreement;  ///< least cosine between a triangle's normal and those of its corners
@@ -48,6 +55,12 @@ void Advance::push_connect(int node, int rules, double angle) {
   queue_.push({Kind::connect, rules, -angle, order_++, node, front_.node(node).stamp});
 }
 
+bool Advance::is_meshed(const Vertex& apex, int rules) const {
+  // An equilateral triangle's centre is 0.58 from its corners; a new vertex is 0.87 ahead of what is behind it.
+  const double distance = 0.7 * Advance::rules(rules).shrink * apex.step;
+  return front_.is_behind(apex, distance, least_step(apex.step, distance));
+}
+
 std::optional<int> Advance::vertex_at(const Vertex& apex) const {
   for (const int n : near_) {
     if ((front_.vertex(n).x - apex.x).norm() < 0.01 * apex.step) return n;
@@ -65,7 +78,7 @@ void Advance::try_grow(const Entry& entry) {
   const double radius = std::sqrt(
       std::max({(a.x - centre).squaredNorm(), (b.x - centre).squaredNorm(), (apex.x - centre).squaredNorm()}));
   near_.clear();
-  front_.grid().near(centre, radius + margin, 0.25 * apex.step, near_);
+  front_.edges().near(centre, radius + margin, least_step(apex.step, radius + margin), near_);
 
   if (const auto same = vertex_at(apex)) {
     t.corners[2] = &front_.vertex(*same);
@@ -75,7 +88,7 @@ void Advance::try_grow(const Entry& entry) {
       connect(t.base, t.apex);
       return;
     }
-  } else if (normal_agreement(t) >= rule.agreement && gaps_left(front_, t) &&
+  } else if (normal_agreement(t) >= rule.agreement && gaps_left(front_, t) && !is_meshed(apex, entry.rules) &&
              fences(front_, t, near_, margin) == Fence::clear) {
     const int made = front_.grow(entry.node, apex);
     ++counts_.grown;
@@ -98,7 +111,7 @@ std::optional<Advance::Candidate> Advance::best_candidate(int node, int rules) {
   const double reach = rule.reach * std::max(edge, 0.5 * (a.step + b.step));
   const Eigen::Vector3d middle = 0.5 * (a.x + b.x);
   near_.clear();
-  front_.grid().near(middle, reach, 0.25 * std::min(a.step, b.step), near_);
+  front_.edges().near(middle, reach, least_step(std::min(a.step, b.step), reach), near_);
   candidates_.clear();
   for (const int n : near_) {
     const Vertex& c = front_.vertex(n);

@@ -68,6 +68,7 @@ class Advance {
   bool retry_waiting();
   void connect(int node, int apex);
   std::optional<Candidate> best_candidate(int node, int rules);
+  bool is_meshed(const Vertex& apex, int rules) const;
   std::optional<int> vertex_at(const Vertex& apex) const;
 
   const Isosurface& surface_;

@@ -1,6 +1,17 @@
 #include "methods/advancing-front/front.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace isobench::advancing_front {
+
+std::uint32_t Front::make_vertex(const Vertex& vertex) {
+  const auto number = static_cast<std::uint32_t>(vertices_.size());
+  vertices_.push_back(vertex);
+  passages_.push_back(0);
+  points_.insert(static_cast<int>(number), vertex.x, 0.0, vertex.step);
+  return number;
+}
 
 int Front::make_node(std::uint32_t vertex) {
   int n = 0;
@@ -13,13 +24,15 @@ int Front::make_node(std::uint32_t vertex) {
   }
   Node& node = nodes_[static_cast<std::size_t>(n)];
   node = {vertex, -1, -1, node.stamp + 1, true};
+  ++passages_[vertex];
   ++alive_;
   return n;
 }
 
 void Front::free_node(int n) {
-  grid_.erase(n);
+  edges_.erase(n);
   Node& node = nodes_[static_cast<std::size_t>(n)];
+  --passages_[node.vertex];
   node.alive = false;
   ++node.stamp;
   free_nodes_.push_back(n);
@@ -32,9 +45,20 @@ void Front::join(int from, int to) {
 }
 
 void Front::edge_changed(int n) {
-  grid_.erase(n);
+  const Vertex &a = vertex(n), &b = vertex(next(n));
+  edges_.erase(n);
   ++nodes_[static_cast<std::size_t>(n)].stamp;
-  grid_.insert(n, vertex(n).x, vertex(next(n)).x);
+  edges_.insert(n, 0.5 * (a.x + b.x), 0.5 * (b.x - a.x).norm(), std::max(a.step, b.step));
+}
+
+bool Front::is_behind(const Vertex& x, double distance, double least) const {
+  near_.clear();
+  points_.near(x.x, distance, least, near_);
+  return std::any_of(near_.begin(), near_.end(), [&](int n) {
+    const Vertex& v = vertices_[static_cast<std::size_t>(n)];
+    return passages_[static_cast<std::size_t>(n)] == 0 && (v.x - x.x).squaredNorm() < distance * distance &&
+           v.normal.dot(x.normal) > 0.3;
+  });
 }
 
 void Front::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -44,13 +68,11 @@ void Front::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   used_.insert(c, a);
 }
 
-int Front::boundary(const std::vector<Vertex>& loop) {
-  const int first = make_node(static_cast<std::uint32_t>(vertices_.size()));
+int Front::link_loop(const std::vector<std::uint32_t>& vertices) {
+  const int first = make_node(vertices.front());
   int last = first;
-  vertices_.push_back(loop.front());
-  for (std::size_t n = 1; n < loop.size(); ++n) {
-    const int node = make_node(static_cast<std::uint32_t>(vertices_.size()));
-    vertices_.push_back(loop[n]);
+  for (std::size_t n = 1; n < vertices.size(); ++n) {
+    const int node = make_node(vertices[n]);
     join(last, node);
     last = node;
   }
@@ -64,21 +86,20 @@ int Front::boundary(const std::vector<Vertex>& loop) {
 }
 
 int Front::seed(const std::array<Vertex, 3>& corners) {
-  const auto base = static_cast<std::uint32_t>(vertices_.size());
-  add_triangle(base, base + 1, base + 2);
-  // What is not meshed lies outside the triangle: the loop runs the other way round.
-  const int first = boundary({corners[0], corners[2], corners[1]});
-  // The loop's vertices came in its own order.
-  std::swap(vertices_[base + 1], vertices_[base + 2]);
-  std::swap(nodes_[static_cast<std::size_t>(next(first))].vertex,
-            nodes_[static_cast<std::size_t>(previous(first))].vertex);
-  return first;
+  const std::uint32_t a = make_vertex(corners[0]), b = make_vertex(corners[1]), c = make_vertex(corners[2]);
+  add_triangle(a, b, c);
+  return link_loop({a, c, b});  // what is not meshed lies outside the triangle
+}
+
+int Front::boundary(const std::vector<Vertex>& loop) {
+  std::vector<std::uint32_t> numbers;
+  for (const Vertex& vertex : loop) numbers.push_back(make_vertex(vertex));
+  return link_loop(numbers);
 }
 
 int Front::grow(int node, const Vertex& apex) {
   const int end = next(node);
-  const auto number = static_cast<std::uint32_t>(vertices_.size());
-  vertices_.push_back(apex);
+  const std::uint32_t number = make_vertex(apex);
   add_triangle(this->node(node).vertex, this->node(end).vertex, number);
   const int made = make_node(number);
   join(node, made);

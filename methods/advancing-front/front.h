@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "methods/advancing-front/edge_grid.h"
 #include "methods/advancing-front/edge_table.h"
+#include "methods/advancing-front/spatial_hash.h"
 #include "methods/triangle_mesh.h"
 
 namespace isobench::advancing_front {
@@ -38,7 +38,7 @@ enum class Link { ear, split, merge, closed };
 class Front {
  public:
   /// `finest` (mm): about the shortest edge to come.
-  explicit Front(double finest) : grid_(finest) {}
+  explicit Front(double finest) : edges_(finest), points_(finest) {}
 
   /// A triangle on its own, counter-clockwise from outside; its three edges become a loop. Returns its first node.
   int seed(const std::array<Vertex, 3>& corners);
@@ -65,13 +65,19 @@ class Front {
   std::size_t alive() const { return alive_; }
   double edge_length(int n) const { return (vertex(next(n)).x - vertex(n).x).norm(); }
 
-  const EdgeGrid& grid() const { return grid_; }
+  /// Where the edges of the front are, by their nodes.
+  const SpatialHash& edges() const { return edges_; }
+  /// Whether a vertex that the front has left behind lies within `distance` (mm) of x on a sheet that faces the same
+  /// way: then x is meshed already. `least` (mm) is the smallest step to be expected there.
+  bool is_behind(const Vertex& x, double distance, double least) const;
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
  private:
+  std::uint32_t make_vertex(const Vertex& vertex);
   int make_node(std::uint32_t vertex);
   void free_node(int n);
+  int link_loop(const std::vector<std::uint32_t>& vertices);
   void join(int from, int to);
   void edge_changed(int n);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
@@ -83,7 +89,10 @@ class Front {
   std::vector<int> free_nodes_;
   std::size_t alive_ = 0;
   EdgeTable used_;
-  EdgeGrid grid_;
+  std::vector<std::uint16_t> passages_;  // of the front through each vertex
+  SpatialHash edges_;
+  SpatialHash points_;
+  mutable std::vector<int> near_;
 };
 
 }  // namespace isobench::advancing_front

@@ -3,14 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "methods/advancing-front/advance.h"
 #include "methods/advancing-front/failsafe.h"
+#include "methods/advancing-front/guidance.h"
 #include "methods/advancing-front/seeds.h"
 #include "methods/marching-cubes/marching_cubes.h"
 
 namespace isobench {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using namespace advancing_front;
 
@@ -46,6 +53,10 @@ class Mesher {
   void start_and_advance() {
     const auto stage = monitor_.stage("fronts");
     const TriangleMesh lattice_mesh = marching_cubes(task_.surface, monitor_);
+    if (leaves_lattice(lattice_mesh)) {
+      throw Skipped(
+          "advancing-front: the object leaves the volume, where a front has no rim to stop at; close it there");
+    }
     std::size_t reached = 0;
     for (const Component& component : components_of(lattice_mesh)) {
       // A component must be a few edges round, whatever the sizing says.
@@ -56,6 +67,12 @@ class Mesher {
       reached += component.vertices.size();
       monitor_.progress(static_cast<double>(reached) / static_cast<double>(lattice_mesh.vertices.size()));
     }
+  }
+
+  bool leaves_lattice(const TriangleMesh& lattice_mesh) const {
+    return std::any_of(lattice_mesh.vertices.begin(), lattice_mesh.vertices.end(), [&](const Eigen::Vector3d& x) {
+      return (x.array() <= 0.0).any() || (x.array() >= task_.surface.extent().array()).any();
+    });
   }
 
   void start_on(const TriangleMesh& lattice_mesh, const Component& component, const Step& step) {
@@ -94,11 +111,26 @@ class Mesher {
   Monitor& monitor_;
 };
 
+std::shared_ptr<const SizingField> own_guidance(const MeshingTask& task, Monitor& monitor) {
+  if (task.sizing.uniform()) {
+    monitor.note(
+        "advancing-front: its own guidance follows curvature alone; the edge length that was asked for has no "
+        "effect");
+  }
+  GuidanceOptions options;
+  options.rho = task.parameters.number("rho");
+  options.eta = task.parameters.number("eta");
+  options.floor = task.sizing.floor * task.surface.voxel() / task.parameters.number("contraction");
+  options.seed = task.seed;
+  return std::make_shared<const SizingField>(guidance_field(task.surface, options, monitor));
+}
+
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
-  const auto field = task.sizing_field(monitor);
-  const double g = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
+  const bool own = task.parameters.text("guidance") == "own";
+  const auto field = own ? own_guidance(task, monitor) : task.sizing_field(monitor);
+  const double g = own || task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
   const Step step = [&field, g](const Eigen::Vector3d& x) { return field->h(x) / g; };
-  return Mesher(task, step, 0.5 * field->smallest() / g, monitor).mesh();
+  return Mesher(task, step, field->smallest() / g, monitor).mesh();
 }
 
 }  // namespace
@@ -111,12 +143,38 @@ Method method_advancing_front() {
       "(after Schreiner, Scheidegger, Silva 2006)";
   method.revision = 1;
   method.parameters = {
+      {"guidance",
+       std::string("shared"),
+       "",
+       "where the sizing comes from: 'shared' is the field h that was asked for, 'own' the method's guidance field, "
+       "from "
+       "curvature alone",
+       -infinity,
+       infinity,
+       {"shared", "own"},
+       false},
       {"contraction",
        1.5,
        "",
        "g: adaptive spacing is h/g, as the particles have it, so that methods compare at equal sizing",
        1.0,
        4.0,
+       {},
+       false},
+      {"rho",
+       0.19634954084936207,
+       "radians",
+       "own guidance: how far an edge turns along the tightest circle",
+       0.01,
+       1.5,
+       {},
+       false},
+      {"eta",
+       0.8,
+       "",
+       "own guidance: steps grow with slope 1 - eta from eta times the ideal length",
+       0.1,
+       0.99,
        {},
        false},
   };
