@@ -93,7 +93,7 @@ class Mesher {
 
   void close() {
     const auto stage = monitor_.stage("failsafe");
-    const std::vector<Hole> holes = close_holes(front_);
+    const std::vector<Hole> holes = close_holes(task_.surface, front_);
     for (const Hole& hole : holes) {
       counts_.failsafe += hole.triangles;
       monitor_.note(fmt::format("advancing-front: the failsafe {} a hole of {} edges at {}",
