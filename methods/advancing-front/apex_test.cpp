@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "datasets/phantoms.h"
 
@@ -62,13 +63,19 @@ TEST(AdvancingFrontApex, GrowsWithTheSidesThatTheSizingAsksFor) {
   const Vertex a = make_vertex(sphere(), step, foot({1.0, 0.2, 0.1}));
   const Vertex b = make_vertex(sphere(), step, foot({1.0, 0.3, 0.1}));
   EXPECT_NEAR(a.normal.dot((a.x - 0.5 * sphere().extent()).normalized()), 1.0, 1e-2);
-  const auto apex = grown_apex(sphere(), step, a, b, 1.0);
+  const GapAngles wide{3.1, 3.1};
+  const auto apex = grown_apex(sphere(), step, a, b, 1.0, wide);
   ASSERT_TRUE(apex.has_value());
   EXPECT_NEAR((apex->x - a.x).norm(), 2.5, 1e-9);
   EXPECT_NEAR((apex->x - b.x).norm(), 2.5, 1e-9);
-  const auto smaller = grown_apex(sphere(), step, a, b, 0.8);
+  const auto smaller = grown_apex(sphere(), step, a, b, 0.8, wide);
   ASSERT_TRUE(smaller.has_value());
   EXPECT_NEAR((smaller->x - a.x).norm(), 2.0, 1e-9);
+
+  // With 100° to share at a the new edge goes half way, as far as b, which has room, lets it.
+  const auto turned = grown_apex(sphere(), step, a, b, 1.0, {100.0 / 180.0 * std::numbers::pi, 3.1});
+  ASSERT_TRUE(turned.has_value());
+  EXPECT_LT((turned->x - b.x).norm(), (apex->x - b.x).norm());
 }
 
 }  // namespace
