@@ -109,5 +109,22 @@ TEST(Front, OnlyVerticesLeftBehindCountAsMeshed) {
   EXPECT_FALSE(front.is_behind(turned, 0.5, 0.1));  // another sheet
 }
 
+TEST(Front, WhatWasMadeLastCanBeTakenBack) {
+  Front front(0.1);
+  const int kept = front.seed({at(0, 0), at(0, 1), at(1, 0)});
+  const std::size_t triangles = front.triangles().size(), vertices = front.vertices().size();
+  const int second = front.seed({at(5, 0), at(5, 1), at(6, 0)});
+  front.grow(second, at(5.3, 0.3, 1.0));
+  EXPECT_TRUE(front.is_open_from(vertices));
+  front.take_back(triangles, vertices);
+  EXPECT_FALSE(front.is_open_from(vertices));
+  EXPECT_EQ(front.triangles().size(), triangles);
+  EXPECT_EQ(loop_of(front, kept), (Loop{0, 2, 1}));
+  EXPECT_EQ(front.alive(), 3U);
+  // Their vertices still say that this place was tried.
+  EXPECT_TRUE(front.covers(at(5.1, 0.1), 0.5, 0.1));
+  EXPECT_FALSE(front.covers(at(9.0, 0.1), 0.5, 0.1));
+}
+
 }  // namespace
 }  // namespace isobench::advancing_front
