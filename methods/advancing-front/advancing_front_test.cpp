@@ -177,8 +177,8 @@ TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
 }
 
 TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
-  // The bone of this skull is a sheet of one or two voxels: marching cubes has one component where F = c has two
-  // shells. The same in small: a hollow ball, whose shell is so thin that the lattice sees holes in it.
+  // A hollow ball whose shell is so thin that the lattice sees holes in it: marching cubes has one component where
+  // F = c has two, as in the bone of a skull.
   Volume v;
   v.lattice.size = {28, 28, 28};
   v.samples.resize(v.lattice.nodes());
