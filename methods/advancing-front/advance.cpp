@@ -38,11 +38,17 @@ bool Advance::valid(const Entry& entry) const {
   return node.alive && node.stamp == entry.stamp;
 }
 
+std::optional<Vertex> Advance::apex_of(int node, int rules) const {
+  const int end = front_.next(node);
+  return grown_apex(surface_, step_, front_.vertex(node), front_.vertex(end), Advance::rules(rules).shrink,
+                    {gap_angle(front_, node), gap_angle(front_, end)});
+}
+
 void Advance::push_grow(int node, int rules) {
   if (apexes_.size() <= static_cast<std::size_t>(node)) apexes_.resize(static_cast<std::size_t>(node) + 1);
   const Vertex &a = front_.vertex(node), &b = front_.vertex(front_.next(node));
   std::optional<Vertex>& apex = apexes_[static_cast<std::size_t>(node)];
-  apex = grown_apex(surface_, step_, a, b, Advance::rules(rules).shrink);
+  apex = apex_of(node, rules);
   if (!apex) {
     push_connect(node, rules, 0.0);
     return;
@@ -69,7 +75,8 @@ std::optional<int> Advance::vertex_at(const Vertex& apex) const {
 }
 
 void Advance::try_grow(const Entry& entry) {
-  const Vertex apex = *apexes_[static_cast<std::size_t>(entry.node)];
+  // The gaps at its ends may have changed since the triangle was thought of.
+  const Vertex apex = apex_of(entry.node, entry.rules).value_or(*apexes_[static_cast<std::size_t>(entry.node)]);
   const Vertex &a = front_.vertex(entry.node), &b = front_.vertex(front_.next(entry.node));
   Tentative t{{&a, &b, &apex}, entry.node, -1};
   const Rules& rule = rules(entry.rules);

@@ -61,6 +61,7 @@ class Advance {
 
   static const Rules& rules(int n);
   bool valid(const Entry& entry) const;
+  std::optional<Vertex> apex_of(int node, int rules) const;
   void push_grow(int node, int rules);
   void push_connect(int node, int rules, double angle);
   void try_grow(const Entry& entry);

@@ -35,6 +35,27 @@ bool in_lattice(const Isosurface& surface, const Eigen::Vector3d& x) {
   return (x.array() >= 0.0).all() && (x.array() <= surface.extent().array()).all();
 }
 
+/// The angle of a triangle with sides p, q between them and r opposite.
+double angle_between(double p, double q, double r) {
+  return std::acos(std::clamp((p * p + q * q - r * r) / (2.0 * p * q), -1.0, 1.0));
+}
+
+/// The triangle's own angle, or its even share of a gap that has room for one or two.
+double share_of(double gap, double own) {
+  constexpr double sixty = std::numbers::pi / 3.0;
+  if (gap > 2.5 * sixty) return own;
+  return std::clamp(gap / std::max(1.0, std::round(gap / sixty)), 0.8 * sixty, 1.2 * sixty);
+}
+
+/// Sides with angles that share the gaps at both ends; the apex lies between where either end would have it.
+Sides shared_out(double edge, const Sides& sides, const GapAngles& gaps) {
+  const double at_a = share_of(gaps.at_a, angle_between(edge, sides.from_a, sides.from_b));
+  const double at_b = share_of(gaps.at_b, angle_between(edge, sides.from_b, sides.from_a));
+  const double x = 0.5 * (sides.from_a * std::cos(at_a) + edge - sides.from_b * std::cos(at_b));
+  const double y = 0.5 * (sides.from_a * std::sin(at_a) + sides.from_b * std::sin(at_b));
+  return {std::hypot(x, y), std::hypot(edge - x, y)};
+}
+
 }  // namespace
 
 Sides feasible_sides(double edge, const Sides& wanted) {
@@ -86,13 +107,13 @@ Vertex make_vertex(const Isosurface& surface, const Step& step, const Eigen::Vec
 }
 
 std::optional<Vertex> grown_apex(const Isosurface& surface, const Step& step, const Vertex& a, const Vertex& b,
-                                 double shrink) {
+                                 double shrink, const GapAngles& gaps) {
   const Eigen::Vector3d normal = a.normal + b.normal;
   const double edge = (b.x - a.x).norm();
   const Sides at_ends = feasible_sides(edge, {shrink * a.step, shrink * b.step});
   const double beyond = step(planar_apex(a.x, b.x, normal, at_ends));
   const Sides sides = feasible_sides(edge, {0.5 * shrink * (a.step + beyond), 0.5 * shrink * (b.step + beyond)});
-  const auto x = rotate_to_surface(surface, a.x, b.x, normal, sides);
+  const auto x = rotate_to_surface(surface, a.x, b.x, normal, shared_out(edge, sides, gaps));
   if (!x) return std::nullopt;
   return make_vertex(surface, step, *x);
 }

@@ -36,8 +36,15 @@ std::optional<Eigen::Vector3d> rotate_to_surface(const Isosurface& surface, cons
 /// A vertex on the surface: its normal from ∇f, its step from the sizing.
 Vertex make_vertex(const Isosurface& surface, const Step& step, const Eigen::Vector3d& x);
 
-/// The vertex that grows from a→b. Its sides are means of the steps at their two ends, times `shrink` ≤ 1.
+/// The angles (radians) of the gaps at the ends of an edge, between it and its neighbours on the front.
+struct GapAngles {
+  double at_a = 0.0;
+  double at_b = 0.0;
+};
+
+/// The vertex that grows from a→b. Its sides are means of the steps at their two ends, times `shrink` ≤ 1; where a gap
+/// has room for two triangles only, the new edge goes half way between, so that both become alike.
 std::optional<Vertex> grown_apex(const Isosurface& surface, const Step& step, const Vertex& a, const Vertex& b,
-                                 double shrink);
+                                 double shrink, const GapAngles& gaps);
 
 }  // namespace isobench::advancing_front

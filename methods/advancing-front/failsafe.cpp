@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace isobench::advancing_front {
 
@@ -46,27 +47,48 @@ Hole describe(const Front& front, int loop) {
   return hole;
 }
 
+/// Closes a loop with triangles round a new vertex; returns how many, 0 if the loop touches itself.
+std::size_t fan(const Isosurface& surface, Front& front, int loop) {
+  std::set<std::uint32_t> seen;
+  int n = loop;
+  do {
+    if (!seen.insert(front.node(n).vertex).second) return 0;
+    n = front.next(n);
+  } while (n != loop);
+  const Eigen::Vector3d centre = describe(front, loop).centre;
+  const Eigen::Vector3d x = surface.project(centre).value_or(centre);
+  const int hub = front.grow(loop, {x, outward_normal(surface.value_gradient(x).gradient), front.vertex(loop).step});
+  std::size_t triangles = 1;
+  std::vector<int> changed;
+  while (front.connect(front.next(hub), hub, changed) != Link::closed) ++triangles;
+  return triangles + 1;
+}
+
+/// Closes the loop through a node as far as it can be.
+void close(const Isosurface& surface, Front& front, int loop, Hole& hole) {
+  std::vector<int> changed;
+  while (true) {
+    const int corner = sharpest(front, loop);
+    if (corner < 0) break;
+    changed.clear();
+    ++hole.triangles;
+    if (front.connect(front.previous(corner), front.next(corner), changed) == Link::closed) return;
+    loop = changed.front();
+  }
+  const std::size_t triangles = fan(surface, front, loop);
+  hole.triangles += triangles;
+  hole.closed = triangles > 0;
+  if (!hole.closed) front.abandon(loop);
+}
+
 }  // namespace
 
-std::vector<Hole> close_holes(Front& front) {
+std::vector<Hole> close_holes(const Isosurface& surface, Front& front) {
   std::vector<Hole> holes;
-  std::vector<int> changed;
   for (int node = 0; node < front.node_count(); ++node) {
     if (!front.node(node).alive) continue;
-    Hole hole = describe(front, node);
-    for (int loop = node; loop >= 0;) {
-      const int corner = sharpest(front, loop);
-      if (corner < 0) {
-        hole.closed = false;
-        front.abandon(loop);
-        break;
-      }
-      changed.clear();
-      const Link link = front.connect(front.previous(corner), front.next(corner), changed);
-      ++hole.triangles;
-      loop = link == Link::closed ? -1 : changed.front();
-    }
-    holes.push_back(hole);
+    holes.push_back(describe(front, node));
+    close(surface, front, node, holes.back());
   }
   return holes;
 }

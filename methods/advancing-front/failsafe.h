@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "datasets/isosurface.h"
 #include "methods/advancing-front/front.h"
 
 namespace isobench::advancing_front {
@@ -18,8 +19,9 @@ struct Hole {
   bool closed = true;
 };
 
-/// Closes every loop that is left, and takes those off the front that no allowed triangle closes. Fronts stay
-/// manifold: a corner is not cut where that would use an edge a third time.
-std::vector<Hole> close_holes(Front& front);
+/// Closes every loop that is left: corners are cut off, and where every cut would use an edge a third time the loop
+/// gets a fan round a new vertex near its centre, on the surface if that can be reached. A loop that touches itself may
+/// allow neither: it is taken off the front and stays open.
+std::vector<Hole> close_holes(const Isosurface& surface, Front& front);
 
 }  // namespace isobench::advancing_front

@@ -151,6 +151,8 @@ double normal_agreement(const Tentative& t) {
   return std::min({n.dot(t.corners[0]->normal), n.dot(t.corners[1]->normal), n.dot(t.corners[2]->normal)});
 }
 
+double gap_angle(const Front& front, int node) { return Gap(front, node).end; }
+
 std::optional<double> gaps_left(const Front& front, const Tentative& t) {
   const int start = t.base, end = front.next(t.base);
   const bool ear_at_start = t.apex >= 0 && front.next(t.apex) == start;

@@ -29,6 +29,9 @@ double normal_agreement(const Tentative& t);
 /// std::nullopt where an edge does not leave its corner into the gap.
 std::optional<double> gaps_left(const Front& front, const Tentative& t);
 
+/// The angle (radians) of a node's gap, in (0, 2π), seen along its normal.
+double gap_angle(const Front& front, int node);
+
 /// What the front round a triangle does to it.
 enum class Fence { clear, near, crossed };
 

@@ -51,14 +51,34 @@ void Front::edge_changed(int n) {
   edges_.insert(n, 0.5 * (a.x + b.x), 0.5 * (b.x - a.x).norm(), std::max(a.step, b.step));
 }
 
-bool Front::is_behind(const Vertex& x, double distance, double least) const {
+bool Front::has_vertex_near(const Vertex& x, double distance, double least, bool on_front_too) const {
   near_.clear();
   points_.near(x.x, distance, least, near_);
   return std::any_of(near_.begin(), near_.end(), [&](int n) {
     const Vertex& v = vertices_[static_cast<std::size_t>(n)];
-    return passages_[static_cast<std::size_t>(n)] == 0 && (v.x - x.x).squaredNorm() < distance * distance &&
-           v.normal.dot(x.normal) > 0.3;
+    return (on_front_too || passages_[static_cast<std::size_t>(n)] == 0) &&
+           (v.x - x.x).squaredNorm() < distance * distance && v.normal.dot(x.normal) > 0.3;
   });
+}
+
+bool Front::is_behind(const Vertex& x, double distance, double least) const {
+  return has_vertex_near(x, distance, least, false);
+}
+
+bool Front::covers(const Vertex& x, double distance, double least) const {
+  return has_vertex_near(x, distance, least, true);
+}
+
+bool Front::is_open_from(std::size_t vertex) const {
+  return std::any_of(nodes_.begin(), nodes_.end(),
+                     [&](const Node& node) { return node.alive && node.vertex >= vertex; });
+}
+
+void Front::take_back(std::size_t triangle, std::size_t vertex) {
+  triangles_.resize(triangle);
+  for (int n = 0; n < node_count(); ++n) {
+    if (node(n).alive && node(n).vertex >= vertex) free_node(n);
+  }
 }
 
 void Front::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -70,6 +70,14 @@ class Front {
   /// Whether a vertex that the front has left behind lies within `distance` (mm) of x on a sheet that faces the same
   /// way: then x is meshed already. `least` (mm) is the smallest step to be expected there.
   bool is_behind(const Vertex& x, double distance, double least) const;
+  /// The same of all vertices, those on the front too.
+  bool covers(const Vertex& x, double distance, double least) const;
+
+  /// Whether a node of a vertex from this number on is alive.
+  bool is_open_from(std::size_t vertex) const;
+  /// Takes back the triangles from this number on, which must share no vertex with those before them, and takes their
+  /// loops off the front. Their vertices stay, unused.
+  void take_back(std::size_t triangle, std::size_t vertex);
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
@@ -81,6 +89,7 @@ class Front {
   void join(int from, int to);
   void edge_changed(int n);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  bool has_vertex_near(const Vertex& x, double distance, double least, bool on_front_too) const;
   bool same_loop(int node, int apex) const;
 
   std::vector<Vertex> vertices_;

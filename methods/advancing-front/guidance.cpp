@@ -59,7 +59,8 @@ class Sampler {
     const Eigen::Vector3i at(part % parts, part / parts % parts, part / (parts * parts));
     Eigen::Vector3d x = band_.position(n);
     for (int axis = 0; axis < 3; ++axis) {
-      const double jitter = particles::uniform(options_.seed, n, static_cast<std::uint64_t>(3 * part + axis));
+      const double jitter =
+          particles::uniform(options_.seed, n, 3 * static_cast<std::uint64_t>(part) + static_cast<std::uint64_t>(axis));
       x[axis] += band_.spacing()[axis] * (at[axis] + jitter) / parts;
     }
     // Parts that the surface is far from would only repeat what nearer ones find.

@@ -75,25 +75,53 @@ class Mesher {
     });
   }
 
+  /// One front from a point that is likely to be good, then one wherever the component, which the lattice may have
+  /// joined from several, is still bare.
   void start_on(const TriangleMesh& lattice_mesh, const Component& component, const Step& step) {
-    const auto points = starting_points(lattice_mesh, component, step, task_.seed);
-    for (const Eigen::Vector3d& point : points) {
-      if (is_meshed(front_.vertices(), make_vertex(task_.surface, step, point))) return;  // the two are one
-      const auto corners = seed_triangle(task_.surface, step, point, task_.seed);
-      if (!corners) continue;
-      ++counts_.seed;
-      Advance advance(task_.surface, step, front_, counts_);
-      advance.add_loop(front_.seed(*corners));
-      advance.run(monitor_);
-      return;
+    for (const Eigen::Vector3d& point : starting_points(lattice_mesh, component, step, task_.seed)) {
+      if (is_bare(point, step) && start_at(point, step)) break;
     }
-    monitor_.note(fmt::format("advancing-front: no triangle fits the component of the surface at {}; it is left out",
-                              place(lattice_mesh.vertices[component.vertices.front()])));
+    for (const std::uint32_t n : component.vertices) {
+      const Eigen::Vector3d& point = lattice_mesh.vertices[n];
+      if (!is_bare(point, step)) continue;
+      const std::size_t triangles = front_.triangles().size(), vertices = front_.vertices().size();
+      const Counts before = counts_;
+      if (!start_at(point, step)) {
+        ++bare_places_;
+        continue;
+      }
+      // On a bump that a front cut across this leads nowhere.
+      if (counts_.merged == before.merged && front_.is_open_from(vertices)) {
+        front_.take_back(triangles, vertices);
+        counts_ = before;
+        monitor_.note(fmt::format("advancing-front: the mesh misses part of the surface at {}", place(point)));
+      }
+    }
+  }
+
+  bool is_bare(const Eigen::Vector3d& point, const Step& step) const {
+    const Vertex vertex = make_vertex(task_.surface, step, point);
+    return !front_.covers(vertex, 2.0 * vertex.step, 0.1 * vertex.step);
+  }
+
+  bool start_at(const Eigen::Vector3d& point, const Step& step) {
+    const auto corners = seed_triangle(task_.surface, step, point, task_.seed);
+    if (!corners) return false;
+    ++counts_.seed;
+    Advance advance(task_.surface, step, front_, counts_);
+    advance.add_loop(front_.seed(*corners));
+    advance.run(monitor_);
+    return true;
   }
 
   void close() {
+    if (bare_places_ > 0) {
+      monitor_.note(fmt::format(
+          "advancing-front: at {} of the lattice's vertices nothing is meshed and no triangle fits", bare_places_));
+    }
+    monitor_.set("advancing-front/bare places", static_cast<double>(bare_places_));
     const auto stage = monitor_.stage("failsafe");
-    const std::vector<Hole> holes = close_holes(front_);
+    const std::vector<Hole> holes = close_holes(task_.surface, front_);
     for (const Hole& hole : holes) {
       counts_.failsafe += hole.triangles;
       monitor_.note(fmt::format("advancing-front: the failsafe {} a hole of {} edges at {}",
@@ -108,6 +136,7 @@ class Mesher {
   Step step_;
   Front front_;
   Counts counts_;
+  std::size_t bare_places_ = 0;
   Monitor& monitor_;
 };
 

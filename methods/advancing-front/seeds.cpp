@@ -95,10 +95,4 @@ std::optional<std::array<Vertex, 3>> seed_triangle(const Isosurface& surface, co
   return corners;
 }
 
-bool is_meshed(const std::vector<Vertex>& vertices, const Vertex& x) {
-  return std::any_of(vertices.begin(), vertices.end(), [&](const Vertex& v) {
-    return (v.x - x.x).squaredNorm() < v.step * v.step && v.normal.dot(x.normal) > 0.0;
-  });
-}
-
 }  // namespace isobench::advancing_front

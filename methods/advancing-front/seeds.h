@@ -31,7 +31,4 @@ std::vector<Eigen::Vector3d> starting_points(const TriangleMesh& mesh, const Com
 std::optional<std::array<Vertex, 3>> seed_triangle(const Isosurface& surface, const Step& step,
                                                    const Eigen::Vector3d& near, std::uint64_t seed);
 
-/// Whether a vertex of a mesh lies within its step of x on a sheet that faces the same way.
-bool is_meshed(const std::vector<Vertex>& vertices, const Vertex& x);
-
 }  // namespace isobench::advancing_front

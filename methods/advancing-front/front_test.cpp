@@ -1,0 +1,130 @@
+#include "methods/advancing-front/front.h"
+
+#include <gtest/gtest.h>
+
+#include "methods/mesh_facts.h"
+
+namespace isobench::advancing_front {
+namespace {
+
+Vertex at(double x, double y, double z = 0.0) { return {{x, y, z}, {0.0, 0.0, 1.0}, 1.0}; }
+
+MeshFacts facts_of(const Front& front) {
+  TriangleMesh mesh;
+  for (const Vertex& v : front.vertices()) mesh.vertices.push_back(v.x);
+  mesh.triangles = front.triangles();
+  return mesh_facts(mesh);
+}
+
+/// The vertices of a loop, from a node on.
+std::vector<std::uint32_t> loop_of(const Front& front, int node) {
+  std::vector<std::uint32_t> vertices;
+  int n = node;
+  do {
+    vertices.push_back(front.node(n).vertex);
+    EXPECT_EQ(front.previous(front.next(n)), n);
+    n = front.next(n);
+  } while (n != node);
+  return vertices;
+}
+
+using Loop = std::vector<std::uint32_t>;
+
+TEST(Front, ASeedIsRoundedTheOtherWay) {
+  Front front(0.1);
+  const int first = front.seed({at(0, 0), at(1, 0), at(0, 1)});
+  EXPECT_EQ(loop_of(front, first), (Loop{0, 2, 1}));
+  EXPECT_EQ(front.alive(), 3U);
+}
+
+TEST(Front, GrowsAndConnectsToAClosedTetrahedron) {
+  Front front(0.1);
+  const int first = front.seed({at(0, 0), at(0, 1), at(1, 0)});  // seen from below
+  const int made = front.grow(first, at(0.3, 0.3, 1.0));
+  EXPECT_EQ(loop_of(front, first), (Loop{0, 3, 2, 1}));
+  std::vector<int> changed;
+  EXPECT_EQ(front.connect(front.next(made), made, changed), Link::ear);
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_EQ(front.alive(), 3U);
+  EXPECT_EQ(front.connect(changed[0], front.previous(changed[0]), changed), Link::closed);
+  EXPECT_EQ(front.alive(), 0U);
+  const MeshFacts facts = facts_of(front);
+  EXPECT_EQ(facts.open_edges, 0U);
+  EXPECT_EQ(facts.euler, 2);
+  EXPECT_NEAR(facts.volume, 1.0 / 6.0, 1e-12);
+}
+
+TEST(Front, ConnectingAcrossALoopSplitsIt) {
+  Front front(0.1);
+  const int first = front.boundary({at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(1, 1), at(0, 1)});
+  const int opposite = front.previous(front.previous(first));  // (1, 1)
+  std::vector<int> changed;
+  EXPECT_EQ(front.connect(first, opposite, changed), Link::split);
+  ASSERT_EQ(changed.size(), 2U);
+  EXPECT_EQ(loop_of(front, changed[0]), (Loop{0, 4, 5}));
+  EXPECT_EQ(loop_of(front, changed[1]), (Loop{4, 1, 2, 3}));
+  EXPECT_EQ(front.alive(), 7U);  // vertex 4 has a node in either loop
+}
+
+TEST(Front, ConnectingTwoLoopsMergesThem) {
+  Front front(0.1);
+  const int outer = front.boundary({at(0, 0), at(9, 0), at(9, 9), at(0, 9)});
+  const int inner = front.boundary({at(3, 3), at(3, 6), at(6, 6), at(6, 3)});  // what is not meshed lies outside it
+  std::vector<int> changed;
+  EXPECT_EQ(front.connect(outer, inner, changed), Link::merge);
+  EXPECT_EQ(loop_of(front, outer), (Loop{0, 4, 5, 6, 7, 4, 1, 2, 3}));
+}
+
+TEST(Front, RefusesEdgesThatHaveTheirTwoTrianglesOrTwoGaps) {
+  Front front(0.1);
+  const int first = front.seed({at(0, 0), at(0, 1), at(1, 0)});
+  const int made = front.grow(first, at(0.3, 0.3, 1.0));
+  // 0 → 3 → 2 → 1: the edge 0–2 lies between two triangles already, so the corner at 3 must not be cut off again.
+  EXPECT_FALSE(front.connectable(first, front.next(made)));
+  EXPECT_TRUE(front.connectable(front.next(made), made));
+  EXPECT_FALSE(front.connectable(first, first));
+}
+
+TEST(Front, AnAbandonedLoopIsOffTheFront) {
+  Front front(0.1);
+  const int first = front.boundary({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+  EXPECT_EQ(front.abandon(first), 4U);
+  EXPECT_EQ(front.alive(), 0U);
+  std::vector<int> found;
+  front.edges().near({0.5, 0.5, 0.0}, 2.0, 0.0, found);
+  EXPECT_TRUE(found.empty());
+}
+
+TEST(Front, OnlyVerticesLeftBehindCountAsMeshed) {
+  Front front(0.1);
+  const int first = front.seed({at(0, 0), at(0, 1), at(1, 0)});
+  EXPECT_FALSE(front.is_behind(at(0.1, 0.0), 0.5, 0.1));  // still on the rim
+  const int made = front.grow(first, at(0.3, 0.3, 1.0));
+  std::vector<int> changed;
+  front.connect(front.next(made), made, changed);
+  front.connect(changed[0], front.previous(changed[0]), changed);
+  EXPECT_TRUE(front.is_behind(at(0.1, 0.0), 0.5, 0.1));
+  Vertex turned = at(0.1, 0.0);
+  turned.normal = -turned.normal;
+  EXPECT_FALSE(front.is_behind(turned, 0.5, 0.1));  // another sheet
+}
+
+TEST(Front, WhatWasMadeLastCanBeTakenBack) {
+  Front front(0.1);
+  const int kept = front.seed({at(0, 0), at(0, 1), at(1, 0)});
+  const std::size_t triangles = front.triangles().size(), vertices = front.vertices().size();
+  const int second = front.seed({at(5, 0), at(5, 1), at(6, 0)});
+  front.grow(second, at(5.3, 0.3, 1.0));
+  EXPECT_TRUE(front.is_open_from(vertices));
+  front.take_back(triangles, vertices);
+  EXPECT_FALSE(front.is_open_from(vertices));
+  EXPECT_EQ(front.triangles().size(), triangles);
+  EXPECT_EQ(loop_of(front, kept), (Loop{0, 2, 1}));
+  EXPECT_EQ(front.alive(), 3U);
+  // Their vertices still say that this place was tried.
+  EXPECT_TRUE(front.covers(at(5.1, 0.1), 0.5, 0.1));
+  EXPECT_FALSE(front.covers(at(9.0, 0.1), 0.5, 0.1));
+}
+
+}  // namespace
+}  // namespace isobench::advancing_front
