@@ -10,11 +10,12 @@ namespace isobench::particles {
 
 /// Names of stages, as the parameters of the same names take them.
 struct Preset {
-  std::string medial_axis;  ///< "shrinking-balls", "foot-points"
-  std::string limiter;      ///< "fast-marching", "iteration"
-  std::string seeds;        ///< "elimination", "marching-cubes"
-  std::string relaxation;   ///< "newton", "gauss-seidel", each with its own control of the population
-  std::string surface;      ///< "labelled-delaunay", "tight-cocone"
+  std::string medial_axis;   ///< "shrinking-balls", "foot-points"
+  std::string sizing_nodes;  ///< "projected", "bounding"
+  std::string limiter;       ///< "fast-marching", "iteration"
+  std::string seeds;         ///< "elimination", "marching-cubes"
+  std::string relaxation;    ///< "newton", "gauss-seidel", each with its own control of the population
+  std::string surface;       ///< "labelled-delaunay", "tight-cocone"
 };
 
 /// The parameters of a method with these stages as its defaults.

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -117,16 +118,16 @@ MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& sam
   MedialBalls axis;
   if (samples.points.empty()) return axis;
   const AxisSearch search(surface, samples);
-  const auto [nx, ny, nz] = surface.lattice().size;
+  const std::array<int, 3>& size = surface.lattice().size;
   const Eigen::Vector3d& spacing = surface.lattice().spacing;
-  std::vector<std::vector<AxisSearch::Found>> rows(static_cast<std::size_t>(ny));
-  for (int k = 0; k < nz; ++k) {
-    monitor.progress(static_cast<double>(k) / nz);
-    tbb::parallel_for(0, ny, [&](int j) {
+  std::vector<std::vector<AxisSearch::Found>> rows(static_cast<std::size_t>(size[1]));
+  for (int k = 0; k < size[2]; ++k) {
+    monitor.progress(static_cast<double>(k) / size[2]);
+    tbb::parallel_for(0, size[1], [&](int j) {
       auto& row = rows[static_cast<std::size_t>(j)];
       row.clear();
       std::size_t guess = 0;
-      for (int i = 0; i < nx; ++i) {
+      for (int i = 0; i < size[0]; ++i) {
         const auto found = search.at(spacing.cwiseProduct(Eigen::Vector3d(i, j, k)), guess);
         if (found) row.push_back(*found);
       }
