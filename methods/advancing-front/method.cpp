@@ -169,7 +169,7 @@ Method method_advancing_front() {
   method.name = "advancing-front";
   method.summary =
       "Triangles grown one by one from the rim of what is meshed, their new vertices turned onto F = c "
-      "(after Schreiner, Scheidegger, Silva 2006)";
+      "(after Schreiner, Scheidegger, Silva 2006; fronts are joined with more care for the angles that remain)";
   method.revision = 1;
   method.parameters = {
       {"guidance",

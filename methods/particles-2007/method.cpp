@@ -12,8 +12,8 @@ Method method_particles_2007() {
       "Particles as published: foot-point medial axis, explicit limiter, Gauss-Seidel relaxation, Tight Cocone (Meyer, "
       "Kirby, Whitaker 2007)";
   method.revision = 1;
-  method.parameters =
-      particles::pipeline_parameters({"foot-points", "iteration", "marching-cubes", "gauss-seidel", "tight-cocone"});
+  method.parameters = particles::pipeline_parameters(
+      {"foot-points", "bounding", "iteration", "marching-cubes", "gauss-seidel", "tight-cocone"});
   method.mesh = particles::mesh_by_particles;
   return method;
 }

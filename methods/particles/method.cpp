@@ -12,7 +12,7 @@ Method method_particles() {
       "triangulation (after Meyer, Kirby, Whitaker 2007)";
   method.revision = 1;
   method.parameters = particles::pipeline_parameters(
-      {"shrinking-balls", "fast-marching", "elimination", "newton", "labelled-delaunay", 20.0});
+      {"shrinking-balls", "projected", "fast-marching", "elimination", "newton", "labelled-delaunay", 20.0});
   method.mesh = particles::mesh_by_particles;
   return method;
 }

@@ -26,10 +26,8 @@ std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor
   SizingStages stages;
   if (chosen(task, "medial_axis", "foot-points")) stages.medial_axis = MedialAxis::foot_points;
   if (chosen(task, "limiter", "iteration")) stages.limiter = Limiter::iteration;
-  const SizingStages usual;
-  if (task.sizing.uniform() || (stages.medial_axis == usual.medial_axis && stages.limiter == usual.limiter)) {
-    return task.sizing_field(monitor);
-  }
+  if (chosen(task, "sizing_nodes", "bounding")) stages.nodes = SizingNodes::bounding;
+  if (task.sizing.uniform() || stages == SizingStages{}) return task.sizing_field(monitor);
   const auto stage = monitor.stage("sizing");
   return std::make_shared<const SizingField>(make_sizing_field(task.surface, task.sizing, monitor, stages));
 }
@@ -166,6 +164,8 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
   };
   return {
       stage("medial_axis", preset.medial_axis, "where feature sizes come from", {"shrinking-balls", "foot-points"}),
+      stage("sizing_nodes", preset.sizing_nodes, "where h0 is computed: on the surface near lattice nodes, or at nodes",
+            {"projected", "bounding"}),
       stage("limiter", preset.limiter, "how the sizing's gradient is limited", {"fast-marching", "iteration"}),
       stage("seeds", preset.seeds, "where particles start", {"elimination", "marching-cubes"}),
       stage("relaxation", preset.relaxation, "how particles move, split and vanish", {"newton", "gauss-seidel"}),

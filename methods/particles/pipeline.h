@@ -10,12 +10,13 @@ namespace isobench::particles {
 
 /// Names of stages, as the parameters of the same names take them.
 struct Preset {
-  std::string medial_axis;  ///< "shrinking-balls", "foot-points"
-  std::string limiter;      ///< "fast-marching", "iteration"
-  std::string seeds;        ///< "elimination", "marching-cubes"
-  std::string relaxation;   ///< "newton", "gauss-seidel", each with its own control of the population
-  std::string surface;      ///< "labelled-delaunay", "tight-cocone"
-  double cure = 0.0;        ///< rounds, at most, in which particles are added to cure the triangulation
+  std::string medial_axis;   ///< "shrinking-balls", "foot-points"
+  std::string sizing_nodes;  ///< "projected", "bounding"
+  std::string limiter;       ///< "fast-marching", "iteration"
+  std::string seeds;         ///< "elimination", "marching-cubes"
+  std::string relaxation;    ///< "newton", "gauss-seidel", each with its own control of the population
+  std::string surface;       ///< "labelled-delaunay", "tight-cocone"
+  double cure = 0.0;         ///< rounds, at most, in which particles are added to cure the triangulation
 };
 
 /// The parameters of a method with these stages as its defaults.

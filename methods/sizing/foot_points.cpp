@@ -118,7 +118,7 @@ MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& sam
   MedialBalls axis;
   if (samples.points.empty()) return axis;
   const AxisSearch search(surface, samples);
-  const std::array<int, 3> size = surface.lattice().size;
+  const std::array<int, 3>& size = surface.lattice().size;
   const Eigen::Vector3d& spacing = surface.lattice().spacing;
   std::vector<std::vector<AxisSearch::Found>> rows(static_cast<std::size_t>(size[1]));
   for (int k = 0; k < size[2]; ++k) {

@@ -31,11 +31,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// min(λ, 1/|κ_max|) where a band node's foot lies.
+/// min(λ, 1/|κ_max|) for a band node.
 class RadiusAt {
  public:
-  RadiusAt(const Isosurface& surface, const SurfaceSamples& samples, const FeatureSize& feature_size)
+  RadiusAt(const Isosurface& surface, const SurfaceSamples& samples, const FeatureSize& feature_size, SizingNodes nodes)
       : surface_(surface),
+        nodes_(nodes),
         samples_(samples),
         sample_tree_(samples.points),
         feature_size_(feature_size),
@@ -43,9 +44,7 @@ class RadiusAt {
         largest_curvature_(2.0 / surface.voxel()) {}
 
   double operator()(const Eigen::Vector3d& node) const {
-    const auto foot = surface_.project(node);
-    // Newton may fail on a ridge far from the surface; the nearest sample is a foot point, too.
-    const Eigen::Vector3d x = foot ? *foot : samples_.points[sample_tree_.nearest(node).first];
+    const Eigen::Vector3d x = nodes_ == SizingNodes::bounding ? node : foot_of(node);
     const double lambda = feature_size_(x);
     const Jet jet = surface_.jet(x);
     // Where the gradient all but vanishes its direction, hence the curvature, means nothing.
@@ -54,7 +53,14 @@ class RadiusAt {
   }
 
  private:
+  Eigen::Vector3d foot_of(const Eigen::Vector3d& node) const {
+    const auto foot = surface_.project(node);
+    // Newton may fail on a ridge far from the surface; the nearest sample is a foot point, too.
+    return foot ? *foot : samples_.points[sample_tree_.nearest(node).first];
+  }
+
   const Isosurface& surface_;
+  SizingNodes nodes_;
   const SurfaceSamples& samples_;
   PointTree sample_tree_;
   const FeatureSize& feature_size_;
@@ -182,10 +188,10 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
     const auto stage = monitor.stage("axis");
     return feature_size_of(surface, samples, stages.medial_axis, monitor);
   }();
-  const auto band = std::make_shared<const Band>(surface, 2);
+  const auto band = std::make_shared<const Band>(surface, stages.nodes == SizingNodes::bounding ? 0 : 2);
   std::vector<float> h0 = [&] {
     const auto stage = monitor.stage("band");
-    return initial_field(surface, *band, RadiusAt(surface, samples, feature_size), request, monitor);
+    return initial_field(surface, *band, RadiusAt(surface, samples, feature_size, stages.nodes), request, monitor);
   }();
   const auto stage = monitor.stage("limit");
   constexpr double published_stop = 1e-5;

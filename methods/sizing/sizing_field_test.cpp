@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "datasets/phantoms.h"
+#include "methods/marching-cubes/marching_cubes.h"
 
 namespace isobench {
 namespace {
@@ -50,6 +51,27 @@ TEST(SizingStages, FootPointsGiveTheSizesOfShrinkingBalls) {
   const std::vector<double> apart = differences(feet, balls);
   EXPECT_LT(apart[apart.size() / 2], 0.02);
   EXPECT_GT(apart.back(), 0.0) << "the stage must change something";
+}
+
+TEST(SizingStages, NodesThatBoundTheSurfaceGiveSmallerSizesOnIt) {
+  const Isosurface surface = torus();
+  Monitor monitor;
+  const SizingField usual = make_sizing_field(surface, request(), monitor);
+  SizingStages stages;
+  stages.nodes = SizingNodes::bounding;
+  const SizingField bounding = make_sizing_field(surface, request(), monitor, stages);
+  EXPECT_LT(bounding.band()->size(), usual.band()->size());
+  const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
+  double ratio_of_h0 = 0.0;
+  double ratio_of_h = 0.0;
+  for (const Eigen::Vector3d& x : lattice_mesh.vertices) {
+    ratio_of_h0 += bounding.h0(x) / usual.h0(x) / static_cast<double>(lattice_mesh.vertices.size());
+    ratio_of_h += bounding.h(x) / usual.h(x) / static_cast<double>(lattice_mesh.vertices.size());
+  }
+  // λ is linear across the surface and trilinear interpolation gets it right; the limiter sees a slope of 1 there.
+  EXPECT_NEAR(ratio_of_h0, 1.0, 0.02);
+  EXPECT_LT(ratio_of_h, 0.97);
+  EXPECT_GT(ratio_of_h, 0.8);
 }
 
 TEST(SizingStages, LeaveTheMedialAxisBehindWhereAsked) {
