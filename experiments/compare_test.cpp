@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const particles = R"(dataset = "sphere"
+const char* const particles = R"(dataset = "small.toml"
 [sampling]
 epsilon = 1.0
 delta = 0.5
@@ -32,6 +32,7 @@ class Compare : public testing::Test {
   Outcome run(const std::vector<std::string>& arguments) { return run_program(folder_.path(), arguments); }
   // Twice the same config, into folders a and b.
   void run_twice(const char* config) {
+    folder_.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
     folder_.write("two.toml", config);
     ASSERT_EQ(run({"run", "two.toml", "-q", "--out", "a"}).code, 0);
     ASSERT_EQ(run({"run", "two.toml", "-q", "--out", "b", "--threads", "1"}).code, 0);

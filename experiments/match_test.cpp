@@ -10,11 +10,11 @@
 namespace isobench {
 namespace {
 
-const char* const experiment = R"(dataset = "sphere"
+const char* const experiment = R"(dataset = "small.toml"
 match = "vertices"
 match_to = "particles"
 [sampling]
-epsilon = 0.25
+epsilon = 0.4
 delta = 0.5
 [[method]]
 name = "marching-cubes"
@@ -25,6 +25,12 @@ contraction = 1.1
 [[method]]
 name = "particles"
 )";
+
+void write_experiment(const TestFolder& folder) {
+  // A sphere of a few voxels: what takes a moment even under a sanitizer.
+  folder.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
+  folder.write("match.toml", experiment);
+}
 
 std::map<std::string, RunRecord> records_by_label(const TestFolder& folder) {
   std::map<std::string, RunRecord> records;
@@ -37,7 +43,7 @@ std::map<std::string, RunRecord> records_by_label(const TestFolder& folder) {
 
 TEST(MatchedExperiment, BringsTheOthersToTheNumberOfVertices) {
   const TestFolder folder;
-  folder.write("match.toml", experiment);
+  write_experiment(folder);
   const Outcome outcome = run_program(folder.path(), {"run", "match.toml", "--jobs", "3"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto records = records_by_label(folder);
@@ -68,7 +74,7 @@ TEST(MatchedExperiment, BringsTheOthersToTheNumberOfVertices) {
 
 TEST(MatchedExperiment, SelectingARunBringsTheOneThatItIsMatchedTo) {
   const TestFolder folder;
-  folder.write("match.toml", experiment);
+  write_experiment(folder);
   const Outcome outcome = run_program(folder.path(), {"run", "match.toml", "--only", "*/looser"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto records = records_by_label(folder);
@@ -78,9 +84,9 @@ TEST(MatchedExperiment, SelectingARunBringsTheOneThatItIsMatchedTo) {
 
 TEST(MatchedExperiment, WithoutTheOtherMeshARunFailsAndIsTriedAgain) {
   const TestFolder folder;
-  folder.write("match.toml", experiment);
+  write_experiment(folder);
   const Outcome crashed =
-      run_program(folder.path(), {"run", "match.toml"}, {{"ISOBENCH_TEST_FAULT", "crash:sphere-particles-*"}});
+      run_program(folder.path(), {"run", "match.toml"}, {{"ISOBENCH_TEST_FAULT", "crash:small-particles-*"}});
   EXPECT_EQ(crashed.code, 1);
   const auto failed = records_by_label(folder);
   const std::string cause = "cannot be matched: " + failed.at("particles").request.run + " has no mesh";
