@@ -30,7 +30,7 @@ delta = 0.5
 name = "particles"
 )";
   folder.write("without.toml", config);
-  folder.write("with.toml", "artefacts = true\n" + config);
+  folder.write("with.toml", std::string("artefacts = true\n").append(config));
   for (const char* name : {"without", "with"}) {
     const Outcome outcome = run_program(folder.path(), {"run", std::string(name) + ".toml"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
