@@ -29,7 +29,7 @@ struct Case {
 
   Cure run(int rounds = 30) {
     LabelledDelaunay delaunay(all.points, surface, monitor);
-    const Cure cured = particles::cure(surface, spacing, lattice_mesh, all, delaunay, rounds, monitor);
+    Cure cured = particles::cure(surface, spacing, lattice_mesh, all, delaunay, rounds, monitor);
     mesh = TriangleMesh{all.points, delaunay.triangles(), {}, {}};
     return cured;
   }

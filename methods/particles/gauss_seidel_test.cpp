@@ -22,7 +22,8 @@ Isosurface plane(int width) {
   volume.lattice.size = {width, width, 6};
   volume.samples.resize(volume.lattice.nodes());
   for (std::size_t n = 0; n < volume.samples.size(); ++n) {
-    volume.samples[n] = static_cast<float>(n / static_cast<std::size_t>(width * width));
+    const std::size_t layer = n / static_cast<std::size_t>(width * width);
+    volume.samples[n] = static_cast<float>(layer);
   }
   return Isosurface(std::move(volume), 2.5);
 }
