@@ -95,7 +95,7 @@ TEST(FootPoints, LieAsFarFromTheSurfaceAsTheySay) {
 TEST(FootPoints, FindNoAxisWhereThereIsNone) {
   Volume volume;
   volume.lattice.size = {8, 8, 8};
-  for (std::size_t n = 0; n < 512; ++n) volume.samples.push_back(static_cast<float>(n / 64));
+  for (int layer = 0; layer < 8; ++layer) volume.samples.insert(volume.samples.end(), 64, static_cast<float>(layer));
   const Axis axis(Isosurface(std::move(volume), 3.3), Monitor());
   ASSERT_FALSE(axis.samples.points.empty());
   EXPECT_TRUE(axis.points.centres.empty());
