@@ -42,8 +42,8 @@ class LabelledDelaunay {
   std::vector<Triangle> triangles() const;
 
   /// Adds points, whose indices follow those that are there; only the cells that come with them are labelled anew. They
-  /// must be distinct from all others. Returns the points whose cells have changed, ascending: facets of which no corner
-  /// is among them are as they were.
+  /// must be distinct from all others. Returns the points whose cells have changed, ascending: facets of which no
+  /// corner is among them are as they were.
   std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points);
 
   /// Changes the label of the finite cell that has the least |f|/|∇f| at its circumcentre among those at a point: the
