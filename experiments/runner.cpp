@@ -134,6 +134,7 @@ class Runner {
 
   // The number of vertices to match; std::nullopt where the other run has no mesh.
   std::optional<double> match_vertices(const RunRequest& request) const {
+    if (request.match_to.empty()) return std::nullopt;
     const fs::path path = store_.folder() / request.match_to / "run.json";
     if (!fs::exists(path)) return std::nullopt;
     try {

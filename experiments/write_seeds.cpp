@@ -422,7 +422,7 @@ void write_plans(const fs::path& root) {
   corpus.write("good-whole", whole);
   corpus.write("good-empty", compact(plan_to_json({})));
   corpus.write("bad-cut", whole.substr(0, 700));
-  corpus.write("bad-run-outside", replaced(whole, "\"torus-marching-cubes\"", "\"/tmp/torus\""));
+  corpus.write("bad-run-outside", replaced(whole, "\"torus-marching-cubes\"", "\"/elsewhere/torus\""));
   corpus.write("bad-seed", replaced(whole, "\"seed\": 1", "\"seed\": -1"));
   corpus.write("bad-parameter", replaced(whole, "\"sweeps\": 60.0", "\"sweeps\": [60.0]"));
 }

@@ -43,19 +43,10 @@ inline std::vector<DirectedEdge> sorted_edges(const TriangleMesh& mesh) {
 }
 
 inline std::size_t count_components(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
-  for (const Triangle& t : mesh.triangles) {
-    parent[root(t[1])] = root(t[0]);
-    parent[root(t[2])] = root(t[0]);
-  }
-  std::size_t roots = 0;
-  for (std::uint32_t n = 0; n < parent.size(); ++n) roots += parent[n] == n;
-  return roots;
+  const std::vector<std::uint32_t> roots = component_roots(mesh);
+  std::size_t count = 0;
+  for (std::uint32_t n = 0; n < roots.size(); ++n) count += roots[n] == n;
+  return count;
 }
 
 }  // namespace mesh_facts_detail

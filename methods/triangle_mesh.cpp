@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "datasets/union_find.h"
 #include "datasets/volume.h"
 
 namespace isobench {
@@ -26,6 +27,17 @@ TriangleMesh to_world(TriangleMesh mesh, const Lattice& lattice) {
 TriangleMesh to_local(TriangleMesh mesh, const Lattice& lattice) {
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex = lattice.to_local(vertex);
   return flipped_if_mirrored(std::move(mesh), lattice);
+}
+
+std::vector<std::uint32_t> component_roots(const TriangleMesh& mesh) {
+  UnionFind sets(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    sets.unite(t[0], t[1]);
+    sets.unite(t[0], t[2]);
+  }
+  std::vector<std::uint32_t> roots(mesh.vertices.size());
+  for (std::uint32_t n = 0; n < roots.size(); ++n) roots[n] = sets.find(n);
+  return roots;
 }
 
 std::size_t drop_unused_vertices(TriangleMesh& mesh) {

@@ -24,6 +24,9 @@ struct Lattice;
 TriangleMesh to_world(TriangleMesh mesh, const Lattice& lattice);
 TriangleMesh to_local(TriangleMesh mesh, const Lattice& lattice);
 
+/// For each vertex the least of those that it is connected to over triangles: one that stands for its component.
+std::vector<std::uint32_t> component_roots(const TriangleMesh& mesh);
+
 /// Takes out the vertices that no triangle uses, their data too; the others keep their order. Returns how many.
 std::size_t drop_unused_vertices(TriangleMesh& mesh);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "metrics/union_find.h"
+#include "datasets/union_find.h"
 
 namespace isobench {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "datasets/union_find.h"
 #include "metrics/mesh_edges.h"
 #include "metrics/self_intersections.h"
-#include "metrics/union_find.h"
 
 namespace isobench {
 

@@ -5,34 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "methods/advancing-front/fences.h"
 #include "methods/particles/random.h"
 
 namespace isobench::advancing_front {
-
-namespace {
-
-std::vector<std::uint32_t> component_roots(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::size_t corner : {1U, 2U}) {
-      const std::uint32_t first = root(t[0]), second = root(t[corner]);
-      parent[std::max(first, second)] = std::min(first, second);
-    }
-  }
-  for (std::uint32_t n = 0; n < parent.size(); ++n) parent[n] = root(n);
-  return parent;
-}
-
-}  // namespace
 
 std::vector<Component> components_of(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> roots = component_roots(mesh);

@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <optional>
 
-#include "methods/sizing/point_tree.h"
+#include "methods/particles/lattice_components.h"
 
 namespace isobench::particles {
 
@@ -125,63 +123,6 @@ struct Findings {
   std::vector<std::uint32_t> pinched;   // points with more than one fan
 };
 
-// Components of the lattice's mesh, to see whether each has its part of the result.
-class Components {
- public:
-  explicit Components(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh.vertices), of_(mesh.vertices.size()) {
-    std::iota(of_.begin(), of_.end(), 0U);
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t corner : t) of_[root(corner)] = root(t[0]);
-    }
-    for (std::uint32_t n = 0; n < of_.size(); ++n) of_[n] = root(n);
-  }
-
-  /// Of components on which no particle with a facet stands: some points each, well apart.
-  std::vector<std::vector<Eigen::Vector3d>> lost(const Particles& particles, const Fans& fans) {
-    const std::size_t known = component_.size();
-    component_.resize(particles.size());
-    tbb::parallel_for(known, particles.size(),
-                      [&](std::size_t n) { component_[n] = of_[tree_.nearest(particles.points[n]).first]; });
-    std::vector<char> met(of_.size(), 0);
-    for (std::size_t n = 0; n < particles.size(); ++n) {
-      if (fans.count(n) > 0) met[component_[n]] = 1;
-    }
-    std::map<std::uint32_t, std::vector<Eigen::Vector3d>> members;
-    for (std::uint32_t n = 0; n < of_.size(); ++n) {
-      if (met[of_[n]] == 0) members[of_[n]].push_back(mesh_.vertices[n]);
-    }
-    std::vector<std::vector<Eigen::Vector3d>> result;
-    for (const auto& [component, points] : members) result.push_back(spread(points));
-    return result;
-  }
-
- private:
-  std::uint32_t root(std::uint32_t n) {
-    while (of_[n] != n) n = of_[n] = of_[of_[n]];
-    return n;
-  }
-
-  // Each as far as possible from those before it: as many as enclose a small body.
-  static std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) {
-    constexpr std::size_t enough = 16;
-    std::vector<Eigen::Vector3d> chosen = {points.front()};
-    std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
-    while (chosen.size() < std::min(enough, points.size())) {
-      for (std::size_t n = 0; n < points.size(); ++n)
-        distance[n] = std::min(distance[n], (points[n] - chosen.back()).norm());
-      const auto farthest = std::max_element(distance.begin(), distance.end());
-      if (*farthest <= 0.0) break;
-      chosen.push_back(points[static_cast<std::size_t>(farthest - distance.begin())]);
-    }
-    return chosen;
-  }
-
-  const TriangleMesh& mesh_;
-  PointTree tree_;
-  std::vector<std::uint32_t> of_;         // of each vertex: one that stands for its component
-  std::vector<std::uint32_t> component_;  // of each particle that was looked at before
-};
-
 class Curing {
  public:
   Curing(const Isosurface& surface, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& particles,
@@ -216,7 +157,6 @@ class Curing {
       found = look();
     }
     cure.after = found.defects;
-    cure.places = found.pinched;
     return cure;
   }
 
@@ -259,7 +199,9 @@ class Curing {
     for (const std::uint32_t n : found.facets) {
       for (const std::uint32_t corner : facets_[n].corners) fresh_[corner] = 1;
     }
-    lost_ = components_.lost(particles_, fans);
+    std::vector<char> used(particles_.size(), 0);
+    for (std::size_t n = 0; n < particles_.size(); ++n) used[n] = fans.count(n) > 0 ? 1 : 0;
+    lost_ = components_.without(particles_.points, used);
     found.defects.lost = lost_.size();
     return found;
   }
@@ -273,24 +215,24 @@ class Curing {
         const bool far = std::all_of(facet.corners.begin(), facet.corners.end(), [&](std::uint32_t corner) {
           return (particles_.points[corner] - x).norm() > least_distance * particles_.spacing[corner];
         });
-        if (far) add_point(x);
+        if (far) added_.push_back(x);
       }
     }
     for (const std::uint32_t n : found.isolated) surround(n);
     for (const auto& component : lost_) {
       for (const Eigen::Vector3d& x : component) {
         const auto foot = surface_.project(x);
-        if (foot) add_point(*foot);
+        if (foot) added_.push_back(*foot);
       }
     }
-    Particles fresh = make_particles(surface_, spacing_, added_);
+    const Particles fresh = make_particles(surface_, spacing_, thinned());
     const std::vector<std::uint32_t> changed = delaunay_.insert(fresh.points);
     particles_.points.insert(particles_.points.end(), fresh.points.begin(), fresh.points.end());
     particles_.normals.insert(particles_.normals.end(), fresh.normals.begin(), fresh.normals.end());
     particles_.spacing.insert(particles_.spacing.end(), fresh.spacing.begin(), fresh.spacing.end());
     fresh_.resize(particles_.size(), 1);
     for (const std::uint32_t n : changed) fresh_[n] = 1;
-    return added_.size();
+    return fresh.size();
   }
 
   // A ring about a particle that the surface passes by: with it, the particle's cells are small against the sheet.
@@ -303,21 +245,29 @@ class Curing {
       const double angle = 2.0 * M_PI * corner / corners;
       const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
       const auto foot = surface_.project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
-      if (foot && (*foot - particles_.points[n]).norm() > least_distance * particles_.spacing[n]) add_point(*foot);
+      if (foot && (*foot - particles_.points[n]).norm() > least_distance * particles_.spacing[n])
+        added_.push_back(*foot);
     }
   }
 
-  // Unless another new one is as good as there.
-  void add_point(const Eigen::Vector3d& x) {
-    const double reach = least_distance * spacing_(x);
-    const bool near = std::any_of(added_.begin(), added_.end(),
-                                  [&](const Eigen::Vector3d& other) { return (other - x).norm() < reach; });
-    if (!near) added_.push_back(x);
+  // Of those that are to be added: each that no earlier one is as good as at.
+  std::vector<Eigen::Vector3d> thinned() const {
+    std::vector<double> reach(added_.size());
+    for (std::size_t n = 0; n < added_.size(); ++n) reach[n] = least_distance * spacing_(added_[n]);
+    const NeighbourLists near = find_neighbours(added_, reach);
+    std::vector<char> kept(added_.size(), 0);
+    std::vector<Eigen::Vector3d> result;
+    for (std::size_t n = 0; n < added_.size(); ++n) {
+      const auto others = near.of(n);
+      kept[n] = std::none_of(others.begin(), others.end(), [&](std::uint32_t m) { return m < n && kept[m] != 0; });
+      if (kept[n] != 0) result.push_back(added_[n]);
+    }
+    return result;
   }
 
   const Isosurface& surface_;
   const Spacing& spacing_;
-  Components components_;
+  LatticeComponents components_;
   Particles& particles_;
   LabelledDelaunay& delaunay_;
   std::vector<Facet> facets_;

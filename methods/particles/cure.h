@@ -29,7 +29,6 @@ struct Cure {
   std::size_t inserted = 0;
   std::size_t flipped = 0;  ///< cells whose label was changed as a last resort
   int rounds = 0;
-  std::vector<std::uint32_t> places;  ///< particles at which something is still wrong
 };
 
 /// Adds particles where the triangulation is not the surface's: at the points in which the dual edges of the facets
