@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                 "#E69F00", "#56B4E9", "#000000"};
 constexpr std::array<int, 4> dashes = {1, 2, 4, 5};
-constexpr std::array<int, 4> shapes = {7, 5, 9, 13};
+constexpr std::array<int, 4> shapes = {6, 4, 8, 12};
 
 // gnuplot's single quotes take everything as it is but themselves and the end of a line.
 std::string quoted(const std::string& text) {
@@ -70,7 +70,7 @@ std::string style_of(const Plot& plot, const Series& series) {
     case Marks::lines:
       return fmt::format("with lines linewidth 1.8 dashtype {} linecolor rgb '{}'", dash, colour);
     case Marks::points:
-      return fmt::format("with points pointtype {} pointsize 0.9 linecolor rgb '{}'", shape, colour);
+      return fmt::format("with points pointtype {} pointsize 0.9 linewidth 1.8 linecolor rgb '{}'", shape, colour);
     case Marks::joined:
       return fmt::format("with linespoints linewidth 1.8 dashtype {} pointtype {} linecolor rgb '{}'", dash, shape,
                          colour);
