@@ -38,7 +38,7 @@ std::string pictures_html(const Exhibits& exhibits, const std::filesystem::path&
     text += fmt::format(
         "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption><b>{}</b> {} "
         "<a href=\"{}\">PNG</a></figcaption></figure>\n",
-        data_uri("image/png", read_text(folder / picture.file)), html_escaped(picture.group + ": " + picture.title),
+        data_uri("image/jpeg", read_text(folder / picture.preview)), html_escaped(picture.group + ": " + picture.title),
         html_escaped(picture.title), html_escaped(picture.caption), html_escaped(picture.file));
   }
   return text.empty() ? "" : "<section id=\"pictures\"><h2>Pictures</h2>\n" + text + "</div></section>\n";

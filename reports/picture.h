@@ -7,9 +7,10 @@
 namespace isobench {
 
 struct Picture {
-  std::string file;   ///< in the results folder: "pictures/….png"
-  std::string group;  ///< pictures that are to be looked at side by side: one dataset, one camera
-  std::string title;  ///< of this one within its group: the method
+  std::string file;     ///< in the results folder: "pictures/….png"
+  std::string preview;  ///< the same as JPEG, for the page
+  std::string group;    ///< pictures that are to be looked at side by side: one dataset, one camera
+  std::string title;    ///< of this one within its group: the method
   std::string caption;
 };
 

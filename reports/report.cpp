@@ -1,8 +1,11 @@
 #include "reports/report.h"
 
+#include <iterator>
+
 #include "reports/gnuplot.h"
 #include "reports/latex.h"
 #include "reports/page.h"
+#include "reports/pictures.h"
 #include "reports/plots.h"
 #include "reports/results.h"
 #include "reports/results_csv.h"
@@ -19,6 +22,9 @@ Exhibits exhibits_of(const Results& results, const std::filesystem::path& folder
   Drawn drawn = draw(exhibits.plots, folder / "plots");
   exhibits.drawn = std::move(drawn.names);
   if (!drawn.missing.empty()) exhibits.missing.push_back(std::move(drawn.missing));
+  Pictures pictures = draw_pictures(arrange(results), folder);
+  exhibits.pictures = std::move(pictures.pictures);
+  std::move(pictures.missing.begin(), pictures.missing.end(), std::back_inserter(exhibits.missing));
   return exhibits;
 }
 
