@@ -112,7 +112,9 @@ void draw_group(const Group& group, const fs::path& folder, Renderer& renderer) 
 bool all_there(const Group& group, const fs::path& folder) {
   for (const RunRecord* run : group.runs) {
     for (const Kind& kind : kinds) {
-      if (!fs::exists(folder / file_name(group, *run, kind.name))) return false;
+      for (const char* ending : {"png", "jpg"}) {
+        if (!fs::exists(folder / file_name(group, *run, kind.name, ending))) return false;
+      }
     }
   }
   return true;

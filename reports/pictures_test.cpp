@@ -155,6 +155,10 @@ TEST(SlowPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   const auto written = std::filesystem::last_write_time(folder.path() / first.pictures[0].file);
   draw_pictures(arrange(results), folder.path());
   EXPECT_EQ(std::filesystem::last_write_time(folder.path() / first.pictures[0].file), written);
+  // What was lost is made again.
+  std::filesystem::remove(folder.path() / first.pictures[0].preview);
+  EXPECT_EQ(draw_pictures(arrange(results), folder.path()).pictures.size(), 6U);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / first.pictures[0].preview));
   // Another mesh: other pictures, and none left over.
   results.records[1].mesh_checksum = "another";
   const Pictures second = draw_pictures(arrange(results), folder.path());
