@@ -126,7 +126,7 @@ std::string summary_html(const Results& results) {
   }
   const std::vector<std::string> sentences = best_sentences(runs);
   if (!sentences.empty()) {
-    text += "<h3>Which method is best at what</h3>\n<ul class=\"findings\">\n";
+    text += "<h3>Which method is best at what (ties count for each)</h3>\n<ul class=\"findings\">\n";
     for (const std::string& sentence : sentences) text += "<li>" + html_escaped(sentence) + "</li>\n";
     text += "</ul>\n";
   }

@@ -96,6 +96,15 @@ TEST(SlowPictures, ShowEdgesAndAnOutline) {
   EXPECT_GT(Pixels(renderer.draw(square.scene, square.view).png).count(is_red), 300);
 }
 
+TEST(SlowPictures, ShowWhatACloseEyeLooksAtBeforeADeepScene) {
+  Square square;
+  square.mesh = sample_meshes::together(square.mesh, sample_meshes::box({-1e3, -1e3, -3e3}, {1e3, 1e3, -1e3}));
+  square.scene = {&square.mesh, std::vector<double>(square.mesh.triangles.size(), 1.0), "value", false, 0};
+  square.view.eye_distance = 1.0;
+  const Pixels pixels(Renderer(320, 240).draw(square.scene, square.view).png);
+  EXPECT_GT(pixels.count(is_red), 300);
+}
+
 TEST(SlowPictures, AreTheSameBytesEveryTime) {
   const Square square;
   const std::string first = Renderer(320, 240).draw(square.scene, square.view).png;

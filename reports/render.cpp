@@ -23,6 +23,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -129,6 +130,7 @@ vtkSmartPointer<vtkScalarBarActor> bar_of(const Scene& scene, vtkScalarsToColors
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(scale);
   bar->SetTitle(scene.legend.c_str());
+  bar->SetVerticalTitleSeparation(10);
   bar->SetNumberOfLabels(5);
   bar->SetLabelFormat("%.2f");
   bar->SetOrientationToVertical();
@@ -243,6 +245,9 @@ Drawing Renderer::draw(const Scene& scene, const View& view) {
   window->AddRenderer(renderer);
   window->AddRenderer(strip);
   renderer->ResetCameraClippingRange();
+  // VTK keeps the near plane away from the eye by a share of the depth: far behind what a close view looks at.
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetClippingRange(0.01 * view.eye_distance, std::max(camera->GetClippingRange()[1], view.eye_distance * 2.0));
   window->Render();
 
   vtkNew<vtkWindowToImageFilter> image;

@@ -171,11 +171,11 @@ std::vector<std::string> best_sentences(const Arrangement& runs) {
     for (const Variant& variant : runs.variants) {
       const auto won = wins.find(variant.name);
       if (won == wins.end()) continue;
-      text += (text.empty() ? "" : ", ") +
-              (won->second == asked ? variant.name : fmt::format("{} on {}", variant.name, won->second));
+      const bool everywhere = won->second == asked && wins.size() == 1;
+      const std::string where = everywhere ? "all" : fmt::format("{}", won->second);
+      text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, where);
     }
-    sentences.push_back(
-        fmt::format("{}: best is {}, of {} data set{}.", question.name, text, asked, asked == 1 ? "" : "s"));
+    sentences.push_back(fmt::format("{}: {} of {} data set{}.", question.name, text, asked, asked == 1 ? "" : "s"));
   }
   return sentences;
 }

@@ -34,7 +34,7 @@ Table best_table(const Arrangement& runs);
 /// A row a method, over all data sets: sound meshes, right topology, quality and cost.
 Table methods_table(const Arrangement& runs);
 
-/// The same as sentences: "Worst triangle: particles is best on 3 of 4 data sets."
+/// The same as sentences: "Worst triangle: particles on 3, advancing-front on 1 of 4 data sets."
 std::vector<std::string> best_sentences(const Arrangement& runs);
 
 }  // namespace isobench
