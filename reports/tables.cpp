@@ -212,6 +212,7 @@ std::vector<Table> all_tables(const Results& results) {
                                cost_table(runs),
                                seed_table(runs),
                                match_table(results)};
+  for (Table& stages : stage_tables(runs)) tables.push_back(std::move(stages));
   for (Table& grid : sizing_grid_tables(results)) tables.push_back(std::move(grid));
   std::erase_if(tables, [](const Table& table) { return table.empty(); });
   return tables;
