@@ -51,21 +51,22 @@ std::vector<std::string> stages_of(const Arrangement& runs, const std::string& m
   return names;
 }
 
-TableRow stage_row(const std::string& dataset, const Variant& variant, const std::vector<std::string>& stages) {
+TableRow stage_row(const Arrangement& runs, const std::string& dataset, const Variant& variant,
+                   const std::vector<std::string>& stages) {
   const Runs& group = find_runs(variant, dataset);
   TableRow row = {dataset, variant.name + spread_label(group) + marks(group), over(group, vertices, as_number())};
   for (const std::string& name : stages) {
     const bool some = std::any_of(group.begin(), group.end(),
                                   [&](const RunRecord* run) { return find_stage(*run, name) != nullptr; });
-    row.push_back(some
-                      ? over(
-                            group, [&name](const RunRecord& run) { return wall_seconds(run, name); }, to_significant(3))
-                      : TableCell("–"));
+    row.push_back(
+        some ? over_timed(
+                   runs, group, [&name](const RunRecord& run) { return wall_seconds(run, name); }, to_significant(3))
+             : TableCell("–"));
   }
-  row.push_back(over(
-      group, [](const RunRecord& run) { return wall_seconds(run, whole); }, to_significant(3)));
-  row.push_back(over(group, parallel, to_places(2)));
-  row.push_back(over(group, microseconds_a_vertex, to_significant(3)));
+  row.push_back(over_timed(
+      runs, group, [](const RunRecord& run) { return wall_seconds(run, whole); }, to_significant(3)));
+  row.push_back(over_timed(runs, group, parallel, to_places(2)));
+  row.push_back(over_timed(runs, group, microseconds_a_vertex, to_significant(3)));
   return row;
 }
 
@@ -92,7 +93,7 @@ std::vector<Table> stage_tables(const Arrangement& runs) {
     for (const std::string& dataset : runs.datasets) {
       for (const Variant& variant : runs.variants) {
         if (variant.method == method && !finished(find_runs(variant, dataset)).empty())
-          table.rows.push_back(stage_row(dataset, variant, stages));
+          table.rows.push_back(stage_row(runs, dataset, variant, stages));
       }
     }
     tables.push_back(std::move(table));
