@@ -10,8 +10,8 @@
 
 namespace isobench::cvt {
 
-/// How many points there shall be around one at which edges of length h are wanted: ∫ρ|x − p|² is least where a cell
-/// has the width ρ^(−1/4) (in two dimensions; Gersho 1979), so the density is 1/h⁴.
+/// The density that makes edges of length h: ∫ρ|x − p|² is least where cells are as wide as ρ^(−1/4) (in two
+/// dimensions; Gersho 1979), so ρ = 1/h⁴.
 double density(double h);
 
 struct Cells {

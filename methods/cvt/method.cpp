@@ -26,27 +26,30 @@ void book(const particles::Cure& cured, Monitor& monitor) {
 class Mesher {
  public:
   Mesher(const MeshingTask& task, const particles::Spacing& spacing, Monitor& monitor)
-      : task_(task), spacing_(spacing), monitor_(monitor) {}
+      : task_(task), spacing_(spacing), sizes_(spacing), monitor_(monitor) {}
 
   TriangleMesh mesh() {
     seed();
     std::vector<Triangle> triangles = close();
-    {
-      const auto stage = monitor_.stage("optimisation");
-      DelaunayMesh mesh(std::move(triangles), sites_.size());
-      const Optimised done = optimise(task_.surface, spacing_, sites_, mesh,
-                                      {task_.parameters.integer("lloyd"), task_.parameters.integer("quasi_newton")},
-                                      monitor_);
-      monitor_.set("cvt/lloyd iterations", done.lloyd);
-      monitor_.set("cvt/quasi-newton iterations", done.quasi_newton);
-      monitor_.set("cvt/shortened steps", static_cast<double>(done.shortened));
-      monitor_.set("cvt/flips", static_cast<double>(done.flips));
-      monitor_.set("cvt/energy", done.energy);
+    optimise({task_.parameters.integer("lloyd"), task_.parameters.integer("quasi_newton")}, std::move(triangles));
+    std::size_t sites = sites_.size();
+    triangles = close();
+    // Sites that were added are too few again once they are evened out, unless the sizing keeps them.
+    const int rounds = task_.parameters.integer("rounds");
+    int round = 0;
+    for (; round < rounds && sites_.size() > sites; ++round) {
+      sizes_.refine({sites_.points.begin() + static_cast<std::ptrdiff_t>(sites), sites_.points.end()});
+      constexpr Iterations again{3, 20};
+      optimise(again, std::move(triangles));
+      sites = sites_.size();
+      triangles = close();
     }
+    monitor_.set("cvt/rounds", round);
     TriangleMesh result;
-    result.triangles = close();
+    result.triangles = std::move(triangles);
     result.vertices = std::move(sites_.points);
     monitor_.set("cvt/unused", static_cast<double>(drop_unused_vertices(result)));
+    if (result.triangles.empty()) throw Skipped("cvt: the sites are too few or too far apart to show the surface");
     return result;
   }
 
@@ -63,6 +66,17 @@ class Mesher {
     monitor_.set("cvt/seeds", static_cast<double>(sites_.size()));
   }
 
+  void optimise(const Iterations& iterations, std::vector<Triangle> triangles) {
+    const auto stage = monitor_.stage("optimisation");
+    DelaunayMesh mesh(std::move(triangles), sites_.size());
+    const Optimised done = cvt::optimise(task_.surface, sizes_, sites_, mesh, iterations, monitor_);
+    monitor_.add("cvt/lloyd iterations", done.lloyd);
+    monitor_.add("cvt/quasi-newton iterations", done.quasi_newton);
+    monitor_.add("cvt/shortened steps", static_cast<double>(done.shortened));
+    monitor_.add("cvt/flips", static_cast<double>(done.flips));
+    monitor_.set("cvt/energy", done.energy);
+  }
+
   /// The labelled Delaunay triangulation of the sites, and of more where they are too few.
   std::vector<Triangle> close() {
     const auto stage = monitor_.stage("triangulation");
@@ -75,6 +89,7 @@ class Mesher {
 
   const MeshingTask& task_;
   const particles::Spacing& spacing_;
+  Sizes sizes_;
   Monitor& monitor_;
   TriangleMesh lattice_mesh_;
   particles::Particles sites_;
@@ -107,6 +122,14 @@ Method method_cvt() {
       {"candidates", 4.0, "per site", "of the seeds: random candidates that they are left from", 2.0, 20.0, {}, false},
       {"lloyd", 10.0, "", "Lloyd's iterations, at most", 0.0, 10000.0, {}, true},
       {"quasi_newton", 60.0, "", "iterations of L-BFGS after them, at most", 0.0, 10000.0, {}, true},
+      {"rounds",
+       8.0,
+       "",
+       "of making h smaller around the sites that the cure adds at the end and iterating again, at most",
+       0.0,
+       100.0,
+       {},
+       true},
       {"cure",
        20.0,
        "",

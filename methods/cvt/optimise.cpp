@@ -16,7 +16,6 @@ namespace isobench::cvt {
 namespace {
 
 using particles::Particles;
-using particles::Spacing;
 
 constexpr double settled = 1e-7;  // an iteration that lowers the energy by less than this much of itself is the last
 constexpr double longest = 0.3;   // of a point's steps, in units of h: what flips can follow
@@ -77,8 +76,9 @@ class History {
 
 class Optimiser {
  public:
-  Optimiser(const Isosurface& surface, const Spacing& spacing, Particles& sites, DelaunayMesh& mesh, Monitor& monitor)
-      : surface_(surface), spacing_(spacing), sites_(sites), mesh_(mesh), monitor_(monitor) {
+  Optimiser(const Isosurface& surface, const Sizes& sizes, Particles& sites, DelaunayMesh& mesh, Monitor& monitor)
+      : surface_(surface), sizes_(sizes), sites_(sites), mesh_(mesh), monitor_(monitor) {
+    for_all(sites_.size(), [&](std::size_t n) { sites_.spacing[n] = sizes_(sites_.points[n]); });
     look();
   }
 
@@ -138,16 +138,15 @@ class Optimiser {
       if (normal.dot(from.normals[n]) <= 0.0) return;
       sites_.points[n] = *foot;
       sites_.normals[n] = normal;
-      sites_.spacing[n] = spacing_(*foot);
+      sites_.spacing[n] = sizes_(*foot);
     });
     look();
   }
 
   Field gradient() const {
     Field gradient = -towards_centroids();
-    for_all(sites_.size(), [&](std::size_t n) {
-      gradient.col(static_cast<Eigen::Index>(n)) *= 2.0 * std::max(0.0, cells_.mass[n]);
-    });
+    for_all(sites_.size(),
+            [&](std::size_t n) { gradient.col(static_cast<Eigen::Index>(n)) *= 2.0 * std::max(0.0, cells_.mass[n]); });
     return gradient;
   }
 
@@ -194,7 +193,7 @@ class Optimiser {
   }
 
   const Isosurface& surface_;
-  const Spacing& spacing_;
+  const Sizes& sizes_;
   Particles& sites_;
   DelaunayMesh& mesh_;
   Monitor& monitor_;
@@ -205,9 +204,9 @@ class Optimiser {
 
 }  // namespace
 
-Optimised optimise(const Isosurface& surface, const Spacing& spacing, Particles& sites, DelaunayMesh& mesh,
+Optimised optimise(const Isosurface& surface, const Sizes& sizes, Particles& sites, DelaunayMesh& mesh,
                    const Iterations& iterations, Monitor& monitor) {
-  return Optimiser(surface, spacing, sites, mesh, monitor).run(iterations);
+  return Optimiser(surface, sizes, sites, mesh, monitor).run(iterations);
 }
 
 }  // namespace isobench::cvt
