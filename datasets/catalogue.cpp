@@ -113,7 +113,7 @@ std::vector<DatasetInfo> list_datasets() {
       source = fmt::format("phantom, {} nodes along its longest axis{}", manifest.phantom->nodes,
                            parameters_text(phantom(manifest.phantom->name, manifest.phantom->parameters)));
     }
-    list.push_back({name, manifest.title, manifest.licence, source});
+    list.push_back({name, manifest.title, manifest.licence, source, manifest.acknowledgement});
   }
   return list;
 }

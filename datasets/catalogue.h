@@ -34,6 +34,7 @@ struct DatasetInfo {
   std::string title;
   std::string licence;
   std::string source;
+  std::string acknowledgement;  ///< what its owners ask to be said; "" where they ask for nothing
 };
 
 std::vector<DatasetInfo> list_datasets();

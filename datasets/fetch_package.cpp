@@ -1,62 +1,16 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "datasets/error.h"
 #include "datasets/fetch.h"
+#include "datasets/run_tool.h"
 #include "datasets/sha256.h"
 
 namespace isobench {
 
 namespace {
-
-/// A folder that goes with all its contents when the scope ends.
-class ScratchFolder {
- public:
-  explicit ScratchFolder(const std::filesystem::path& parent) {
-    std::string name = (parent / ".package-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw DataError(parent.string() + ": the cache cannot be written; set ISOBENCH_CACHE to a folder that can");
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-/// Runs a program in a folder without a shell, what it prints going to a file there; true if it ended with 0.
-bool run_program(std::vector<std::string> words, const std::filesystem::path& folder) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "log.txt", O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int problem = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (problem != 0) return false;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
 
 std::string last_line(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -68,7 +22,7 @@ std::string last_line(const std::filesystem::path& path) {
 }
 
 void run_step(const std::vector<std::string>& words, const std::filesystem::path& folder, const Manifest& manifest) {
-  if (run_program(words, folder)) return;
+  if (run_tool(words, folder)) return;
   const std::filesystem::path wanted = manifest.folder / manifest.files.front().name;
   throw DataError(fmt::format(
       "{}: {} failed on the Debian package {} ({}); run apt-get update with the package archive reachable, or set "

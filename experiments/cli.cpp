@@ -41,6 +41,12 @@ void add_common(CLI::App& verb, CommandLine& line) {
   verb.add_flag("-v,--verbose", line.verbose, "every stage a line");
 }
 
+// The rest of a report takes seconds, and packages of its own.
+void add_tables_only(CLI::App& verb, CommandLine& line) {
+  verb.add_flag("--tables-only", line.common.tables_only, "of the report only the tables: no plots, pictures and page")
+      ->envname("ISOBENCH_TABLES_ONLY");
+}
+
 void add_sizing(CLI::App& verb, SizingRequest& sizing) {
   verb.add_option("--epsilon", sizing.epsilon, "adaptive: edges up to 2 epsilon times the local feature size");
   verb.add_option("--delta", sizing.delta, "adaptive: Lipschitz bound of the sizing");
@@ -71,6 +77,7 @@ void add_run(CLI::App& app, CommandLine& line) {
   verb->add_option("--jobs", line.run.jobs, "runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
   verb->add_flag("--force", line.run.force, "run again what is done");
   verb->add_flag("--dry-run", line.run.dry_run, "only say what would be run");
+  add_tables_only(*verb, line);
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return run_verb(line.run, line.common); }; });
 }
@@ -95,8 +102,9 @@ void add_cluster(CLI::App& app, CommandLine& line) {
 
 void add_report(CLI::App& app, CommandLine& line) {
   CLI::App* verb =
-      app.add_subcommand("report", "Tables, claims and results.csv of a results folder, from what is stored");
+      app.add_subcommand("report", "The page, tables and results.csv of a results folder, from what is stored");
   verb->add_option("folder", line.report_folder, "e.g. results/paper")->required();
+  add_tables_only(*verb, line);
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return report_verb(line.report_folder, line.common); }; });
 }
@@ -148,6 +156,7 @@ void add_measure(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
   verb->add_flag("--json", measure.json, "every figure, as JSON");
+  add_tables_only(*verb, line);
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return measure_verb(line.measure, line.common); }; });
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <csignal>
 #include <list>
 #include <memory>
@@ -265,20 +266,35 @@ class Runner {
                               record.reason.empty() ? "" : " (" + record.reason + ")", seconds));
   }
 
+  // "5 done, 1 failed, 3 to go, about 4 min left": the rest is taken to last as long, on average, as what was run here.
+  std::string state() const {
+    const int run_here = summary_.ok + summary_.skipped + summary_.failed;
+    std::string text = fmt::format("{} done", summary_.ok + summary_.skipped + summary_.reused);
+    if (summary_.failed > 0) text += fmt::format(", {} failed", summary_.failed);
+    text += fmt::format(", {} to go", unfinished_.size());
+    if (run_here == 0) return text;
+    const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begun_;
+    const double left = so_far.count() / run_here * static_cast<double>(unfinished_.size());
+    return text + (left < 90.0 ? fmt::format(", about {:.0f} s left", left)
+                               : fmt::format(", about {:.0f} min left", left / 60.0));
+  }
+
   void show() {
     if (active_.empty()) return;
     Active& first = *active_.front();
     const ChildProgress& progress = first.child.progress();
     for (const auto& active : active_) active->child.progress();  // keeps every pipe from filling
     const std::string more = active_.size() > 1 ? fmt::format(" (and {} more)", active_.size() - 1) : "";
-    console_.update(fmt::format("{}  {}  {:.0f} s{}", first.title, progress.stage, first.child.seconds(), more),
-                    progress.fraction);
+    console_.update(
+        fmt::format("{}  {}  {:.0f} s{}; {}", first.title, progress.stage, first.child.seconds(), more, state()),
+        progress.fraction);
   }
 
   const Store& store_;
   const RunOptions& options_;
   Console& console_;
   std::size_t total_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   RunSummary summary_;
   std::list<Pending> pending_;
   std::set<std::string> unfinished_;  // names of those that are pending or active here

@@ -191,17 +191,17 @@ RunState run_state(const fs::path& folder, const RunRequest& request) {
 FileLock lock_results(const fs::path& folder) {
   fs::create_directories(folder / ".locks");  // a copied folder may have come without
   const fs::path path = folder / ".locks" / "store";
-  for (int tries = 0; tries < 600; ++tries) {
+  for (int tries = 0; tries < 3600; ++tries) {
     if (std::optional<FileLock> lock = FileLock::try_lock(path)) return std::move(*lock);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  throw Error(path.string() + ": still locked by another process after 30 s");
+  throw Error(path.string() + ": still locked by another process after three minutes");
 }
 
-std::string write_tables(const fs::path& folder) {
-  if (!fs::exists(folder / "plan.json")) return write_report(folder);  // which says that this is no results folder
+Report write_report_locked(const fs::path& folder, ReportParts parts) {
+  if (!fs::exists(folder / "plan.json")) return write_report(folder, parts);  // which says that it is no results folder
   const FileLock lock = lock_results(folder);
-  return write_report(folder);
+  return write_report(folder, parts);
 }
 
 Store::Store(fs::path folder, const Config& config, const std::vector<RunRequest>& plan) : folder_(std::move(folder)) {

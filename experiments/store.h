@@ -11,6 +11,7 @@
 
 #include "experiments/config.h"
 #include "reports/record.h"
+#include "reports/report.h"
 
 namespace isobench {
 
@@ -94,10 +95,10 @@ class Store {
 };
 
 /// Held while the files beside the runs (plan, tables, results.csv) are read and written, so that the last process to
-/// finish writes what all have done. Waits for it; throws Error after half a minute.
+/// finish writes what all have done. Waits for it; throws Error after three minutes, far more than a report takes.
 FileLock lock_results(const std::filesystem::path& folder);
 /// write_report() under that lock.
-std::string write_tables(const std::filesystem::path& folder);
+Report write_report_locked(const std::filesystem::path& folder, ReportParts parts);
 
 /// What is stored of a run, and whether a living process is at it. Makes and touches nothing.
 struct StoredRun {

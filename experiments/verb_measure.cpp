@@ -21,7 +21,7 @@ int measure_results(const MeasureArguments& arguments, const CommonArguments& co
   }
   Console console(common.verbosity);
   const RemeasureSummary summary = remeasure(arguments.mesh, console);
-  write_tables(arguments.mesh);
+  write_report_locked(arguments.mesh, common.tables_only ? ReportParts::tables : ReportParts::all);
   std::string text = fmt::format("{} measured", summary.measured);
   if (summary.without_mesh > 0) text += fmt::format(", {} without a mesh", summary.without_mesh);
   if (summary.failed > 0) text += fmt::format(", {} kept as they were", summary.failed);

@@ -95,6 +95,23 @@ std::string counts(const RunSummary& summary) {
   return text;
 }
 
+// The report, with what is missing from it and, last, where to look.
+Report make_report(const std::filesystem::path& folder, const CommonArguments& common, Console& console) {
+  if (!common.tables_only) console.update("making the report", -1.0);
+  Report report = write_report_locked(folder, common.tables_only ? ReportParts::tables : ReportParts::all);
+  console.clear();
+  return report;
+}
+
+void say_written(const std::filesystem::path& folder, const Report& report, Console& console) {
+  for (const std::string& sentence : report.missing) console.line(sentence);
+  std::string text;
+  for (const std::string& name : report.written) {
+    text += fmt::format("{}{}/{}", text.empty() ? "" : ", ", folder.string(), name);
+  }
+  console.line("written: " + text);
+}
+
 int exit_code(const RunSummary& summary) {
   if (summary.failed == 0) return 0;
   const bool nothing_but_data = summary.data == summary.failed && summary.ok + summary.skipped + summary.reused == 0;
@@ -187,21 +204,25 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common) {
     say_stopped(summary);
     return 130;
   }
-  const std::string tables = write_tables(folder);
+  const Report report = make_report(folder, common, console);
   console.line(fmt::format("{}: {}", config.name, counts(summary)));
   if (common.verbosity != Verbosity::quiet) {
-    fmt::print("{}", tables);
+    fmt::print("{}", report.tables);
+    std::fflush(stdout);  // what follows on stderr comes after it
     if (source.again_of) fmt::print("{}", what_differs(*source.again_of, folder));
   }
-  console.line(fmt::format("written: {0}/tables.md, {0}/tables.tex, {0}/results.csv", folder.string()));
+  say_written(folder, report, console);
   return exit_code(summary);
 }
 
 int report_verb(const std::filesystem::path& folder, const CommonArguments& common) {
-  const std::string tables = write_tables(folder);
-  if (common.verbosity != Verbosity::quiet) fmt::print("{}", tables);
-  Console(common.verbosity)
-      .line(fmt::format("written: {0}/tables.md, {0}/tables.tex, {0}/results.csv", folder.string()));
+  Console console(common.verbosity);
+  const Report report = make_report(folder, common, console);
+  if (common.verbosity != Verbosity::quiet) {
+    fmt::print("{}", report.tables);
+    std::fflush(stdout);
+  }
+  say_written(folder, report, console);
   return 0;
 }
 

@@ -19,6 +19,7 @@ namespace isobench {
 struct CommonArguments {
   int threads = 0;  ///< 0: all cores
   Verbosity verbosity = Verbosity::normal;
+  bool tables_only = false;  ///< of the verbs that make a report: no plots, pictures and page
 };
 
 struct RunArguments {

@@ -1,20 +1,50 @@
 #include "reports/report.h"
 
+#include <iterator>
+
+#include "reports/gnuplot.h"
 #include "reports/latex.h"
+#include "reports/page.h"
+#include "reports/pictures.h"
+#include "reports/plots.h"
 #include "reports/results.h"
 #include "reports/results_csv.h"
 #include "reports/tables.h"
 
 namespace isobench {
 
-std::string write_report(const std::filesystem::path& folder) {
+namespace {
+
+// Plots and pictures, made or found made.
+Exhibits exhibits_of(const Results& results, const std::filesystem::path& folder) {
+  Exhibits exhibits;
+  exhibits.plots = all_plots(results);
+  Drawn drawn = draw(exhibits.plots, folder / "plots");
+  exhibits.drawn = std::move(drawn.names);
+  if (!drawn.missing.empty()) exhibits.missing.push_back(std::move(drawn.missing));
+  Pictures pictures = draw_pictures(arrange(results), folder);
+  exhibits.pictures = std::move(pictures.pictures);
+  std::move(pictures.missing.begin(), pictures.missing.end(), std::back_inserter(exhibits.missing));
+  return exhibits;
+}
+
+}  // namespace
+
+Report write_report(const std::filesystem::path& folder, ReportParts parts) {
   const Results results = load_results(folder);
-  std::string tables = markdown_tables(results);
+  Report report;
+  report.tables = markdown_tables(results);
   write_text(folder / "results.csv", results_csv(results.records));
   write_text(folder / "results.columns.md", columns_text());
-  write_text(folder / "tables.md", tables);
+  write_text(folder / "tables.md", report.tables);
   write_text(folder / "tables.tex", latex_tables(results));
-  return tables;
+  report.written = {"tables.md", "tables.tex", "results.csv"};
+  if (parts == ReportParts::tables) return report;
+  const Exhibits exhibits = exhibits_of(results, folder);
+  write_text(folder / "report.html", page(results, exhibits, folder));
+  report.written.emplace_back("report.html");
+  report.missing = exhibits.missing;
+  return report;
 }
 
 }  // namespace isobench

@@ -1,0 +1,195 @@
+#include "reports/page.h"
+
+#include <gtest/gtest.h>
+
+#include "datasets/test_folder.h"
+#include "reports/html.h"
+#include "reports/report.h"
+#include "reports/sample_records.h"
+#include "reports/tables.h"
+#include "reports/verdict.h"
+
+namespace isobench {
+namespace {
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// Two methods on two datasets; one run timed out.
+Results sample_results() {
+  Results results;
+  results.name = "test";
+  results.title = "A <test> & more";
+  results.records = {sample_record("pelvis", "ours"), sample_record("pelvis", "theirs"), sample_record("skull", "ours"),
+                     sample_record("skull", "theirs")};
+  results.records[1].measurement->radius_ratio.min = 0.5;
+  results.records[3].status = Status::timeout;
+  results.records[3].reason = "not finished after 20 minutes";
+  results.records[3].measurement.reset();
+  results.published = read_published(ISOBENCH_SOURCE "/experiments/published/meyer-2007.toml");
+  return results;
+}
+
+// What a browser would fetch by itself: an address in src, or in the href of a link element.
+bool asks_a_network(const std::string& page) {
+  for (const std::string& attribute : {std::string("src=\""), std::string("<link rel=\"icon\" href=\"")}) {
+    for (std::size_t at = page.find(attribute); at != std::string::npos; at = page.find(attribute, at + 1)) {
+      if (page.compare(at + attribute.size(), 5, "data:") != 0) return true;
+    }
+  }
+  return page.find("@import") != std::string::npos || page.find("url(") != std::string::npos;
+}
+
+// The elements that must be closed are, in the right order.
+std::string first_unbalanced(const std::string& page) {
+  std::vector<std::string> open;
+  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
+    const bool closing = page[at + 1] == '/';
+    const std::size_t start = at + (closing ? 2 : 1);
+    const std::string name = page.substr(start, page.find_first_of(" >\n", start) - start);
+    if (name == "!DOCTYPE" || name == "meta" || name == "link" || name == "img") continue;
+    if (name == "script" || name == "style") {
+      at = page.find("</" + name + ">", at);
+      continue;
+    }
+    if (!closing) {
+      open.push_back(name);
+    } else if (open.empty() || open.back() != name) {
+      return name;
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty() ? "" : open.back();
+}
+
+TEST(Page, IsWholeAndAsksNoNetwork) {
+  const TestFolder folder;
+  const std::string text = page(sample_results(), {}, folder.path());
+  EXPECT_EQ(first_unbalanced(text), "");
+  EXPECT_FALSE(asks_a_network(text));
+  EXPECT_NE(text.find("<h1>A &lt;test&gt; &amp; more</h1>"), std::string::npos);
+}
+
+TEST(Page, HoldsEveryTableWithWhatItSortsBy) {
+  const TestFolder folder;
+  const Results results = sample_results();
+  const std::string text = page(results, {}, folder.path());
+  for (const Table& table : all_tables(results)) {
+    EXPECT_NE(text.find("<h3>" + html_escaped(table.title) + "</h3>"), std::string::npos) << table.title;
+  }
+  EXPECT_NE(text.find("data-sort=\"0.30000000000000004\">0.300 / 0.945</td>"), std::string::npos);
+  EXPECT_NE(text.find("<span class=\"published\">published 0.40 / 0.92</span>"), std::string::npos);
+}
+
+TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
+  const std::string text = summary_html(sample_results());
+  EXPECT_NE(text.find("Compared: 2 methods (ours, theirs) on 2 data sets (pelvis, skull), asked for ε 0.5, δ 0.3."),
+            std::string::npos);
+  EXPECT_NE(text.find("Matched: nothing."), std::string::npos);
+  EXPECT_NE(text.find("Runs: 4 planned, 3 ok, 1 timeout."), std::string::npos);
+  EXPECT_NE(text.find("Claims of Meyer, Kirby, Whitaker 2007: "), std::string::npos);
+  EXPECT_NE(text.find("Worst triangle: radius ratio: best is ours on 1, theirs on 1, of 2 data sets."),
+            std::string::npos);
+}
+
+TEST(Page, NamesTheBestWithItsFlaws) {
+  Results results = sample_results();
+  results.records[1].measurement->topology.boundary_edges = 2;
+  const Arrangement runs = arrange(results);
+  const Question& worst = questions().front();
+  ASSERT_EQ(worst.figure, "radius_ratio_min");
+  EXPECT_EQ(best(worst, runs, "pelvis").text, "theirs †: 0.500");
+  EXPECT_EQ(best(worst, runs, "skull").names, (std::vector<std::string>{"ours"}));
+  // What prints alike is alike.
+  results.records[1].measurement->radius_ratio.min = results.records[0].measurement->radius_ratio.min * 1.000001;
+  EXPECT_EQ(best(worst, arrange(results), "pelvis").names.size(), 2U);
+}
+
+TEST(Page, ShowsFailuresAndWhatIsNotDone) {
+  Results results = sample_results();
+  EXPECT_NE(gaps_html(results).find("not finished after 20 minutes"), std::string::npos);
+  const TestFolder folder;
+  EXPECT_EQ(page(results, {}, folder.path()).find("Half-finished"), std::string::npos);
+  results.missing.push_back(results.records.back().request);
+  results.records.pop_back();
+  EXPECT_NE(gaps_html(results).find("not done yet"), std::string::npos);
+  EXPECT_NE(page(results, {}, folder.path()).find("Half-finished: 1 of 4 runs"), std::string::npos);
+  results.records.clear();
+  EXPECT_NE(page(results, {}, folder.path()).find("No run is finished yet."), std::string::npos);
+}
+
+TEST(Page, PutsEveryClaimUnderItsVerdict) {
+  const Results results = sample_results();
+  const std::string text = claims_html(results);
+  EXPECT_EQ(count_of(text, "<details class=\"claim\">"), results.published->claims.size());
+  EXPECT_GE(count_of(text, "class=\"badge"), results.published->claims.size());
+}
+
+TEST(Page, FoldsTheProvenanceOfEachRun) {
+  const Results results = sample_results();
+  const std::string text = provenance_html(results);
+  EXPECT_EQ(count_of(text, "<details class=\"run\">"), results.records.size());
+  EXPECT_NE(text.find("start = grid, fine, sweeps = 60"), std::string::npos);
+  EXPECT_NE(text.find("commit abcdef"), std::string::npos);
+  EXPECT_EQ(count_of(text, "mesh.vtp"), 2 * 3U);  // that of the run that timed out does not exist
+}
+
+TEST(Page, CitesDataWithLicenceAndAcknowledgement) {
+  const std::string text = citations_html(sample_results());
+  EXPECT_NE(text.find("CT scanner data courtesy of North Carolina Memorial Hospital"), std::string::npos);
+  EXPECT_NE(text.find("Licence: free to redistribute with acknowledgement"), std::string::npos);
+  EXPECT_NE(text.find("IEEE Transactions on Visualization and Computer Graphics"), std::string::npos);
+}
+
+TEST(Page, EscapesWhatOthersWrote) {
+  Results results = sample_results();
+  results.records[3].reason = "<script>alert(1)</script>";
+  results.records[0].notes = {"</details><b>"};
+  const TestFolder folder;
+  const std::string text = page(results, {}, folder.path());
+  EXPECT_EQ(text.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(first_unbalanced(text), "");
+}
+
+TEST(Html, EncodesBytes) {
+  EXPECT_EQ(data_uri("text/plain", "Man"), "data:text/plain;base64,TWFu");
+  EXPECT_EQ(data_uri("text/plain", "M"), "data:text/plain;base64,TQ==");
+  EXPECT_EQ(data_uri("text/plain", ""), "data:text/plain;base64,");
+  EXPECT_EQ(html_prose("a `b<c` d"), "a <code>b&lt;c</code> d");
+}
+
+// A results folder as a run leaves it, without meshes.
+std::filesystem::path stored(const TestFolder& folder) {
+  std::vector<RunRequest> plan;
+  for (const RunRecord& record : sample_results().records) {
+    plan.push_back(record.request);
+    std::filesystem::create_directories(folder.path() / record.request.run);
+    write_record(record, folder.path() / record.request.run / "run.json");
+  }
+  write_text(folder.path() / "plan.json", plan_to_json(plan));
+  return folder.path();
+}
+
+TEST(Report, MadeAgainChangesNoByte) {
+  const TestFolder folder;
+  const std::filesystem::path path = stored(folder);
+  const Report first = write_report(path);
+  EXPECT_EQ(first.written.back(), "report.html");
+  const std::string before = read_text(path / "report.html");
+  write_report(path);
+  EXPECT_EQ(read_text(path / "report.html"), before);
+}
+
+TEST(Report, OfTablesAloneHasNoPage) {
+  const TestFolder folder;
+  const Report report = write_report(stored(folder), ReportParts::tables);
+  EXPECT_EQ(report.written.back(), "results.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html"));
+}
+
+}  // namespace
+}  // namespace isobench

@@ -1,0 +1,216 @@
+// What meshes take, how a method comes to its end, and quality over size and sizing.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <set>
+
+#include "reports/plots.h"
+#include "reports/sizing_grid.h"
+
+namespace isobench {
+
+namespace {
+
+// "mesh/relaxation" → "relaxation"; "" for what is no direct part of making the mesh.
+std::string part_of_meshing(const std::string& stage) {
+  static const std::string outer = "mesh/";
+  if (!stage.starts_with(outer) || stage.find('/', outer.size()) != std::string::npos) return "";
+  return stage.substr(outer.size());
+}
+
+// Seconds of one part of a run; of "rest" what no part accounts for.
+double seconds_of(const RunRecord& run, const std::string& part) {
+  double sum = 0.0;
+  for (const StageTime& stage : run.stages) {
+    const std::string name = part_of_meshing(stage.name);
+    if (name.empty()) continue;
+    if (name == part) return stage.wall_seconds;
+    sum += stage.wall_seconds;
+  }
+  return part == "rest" ? std::max(0.0, run.seconds_total - sum) : 0.0;
+}
+
+// Where several runs would be crowded together, in the order in which they first occur.
+std::vector<std::string> parts_of(const Runs& runs) {
+  std::vector<std::string> parts;
+  for (const RunRecord* run : runs) {
+    for (const StageTime& stage : run->stages) {
+      const std::string name = part_of_meshing(stage.name);
+      if (!name.empty() && std::find(parts.begin(), parts.end(), name) == parts.end()) parts.push_back(name);
+    }
+  }
+  parts.emplace_back("rest");
+  return parts;
+}
+
+double vertices_of(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
+
+// A point a finished run, of all datasets.
+Plot over_vertices(const Arrangement& runs, const std::string& name, const std::string& y_label, const Figure& y) {
+  Plot plot;
+  plot.name = name + "-over-vertices";
+  plot.title = y_label + " over the number of vertices, all data sets";
+  plot.caption = "A point a finished run.";
+  plot.x_label = "vertices";
+  plot.y_label = y_label;
+  plot.marks = Marks::points;
+  plot.log_x = true;
+  for (std::size_t n = 0; n < runs.variants.size(); ++n) {
+    Series series{runs.variants[n].name, n, {}, {}};
+    for (const std::string& dataset : runs.datasets) {
+      for (const RunRecord* run : finished(find_runs(runs.variants[n], dataset))) {
+        series.x.push_back(vertices_of(*run));
+        series.y.push_back(y(*run));
+      }
+    }
+    if (!series.x.empty()) plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+Plot grid_plot(const SizingGrid& grid, const std::string& name, const std::string& label, const Figure& figure) {
+  Plot plot;
+  plot.name = fmt::format("{}-over-sizing-{}-{}", name, grid.dataset, grid.label);
+  plot.title = fmt::format("{} over δ and ε, {}, {}", label, grid.dataset, grid.label);
+  plot.caption = "Medians over the seeds. Smaller δ: a sizing that changes more slowly; smaller ε: denser sampling.";
+  plot.x_label = "δ";
+  plot.y_label = label;
+  plot.marks = Marks::joined;
+  for (std::size_t e = 0; e < grid.epsilons.size(); ++e) {
+    Series series{fmt::format("ε = {}", grid.epsilons[e]), e, {}, {}};
+    std::vector<double> deltas = grid.deltas;
+    std::sort(deltas.begin(), deltas.end());
+    for (const double delta : deltas) {
+      const auto cell = grid.cells.find({grid.epsilons[e], delta});
+      if (cell == grid.cells.end()) continue;
+      std::vector<double> values;
+      for (const RunRecord* run : gated(cell->second)) values.push_back(figure(*run));
+      if (values.empty()) continue;
+      series.x.push_back(delta);
+      series.y.push_back(spread_of(std::move(values)).median);
+    }
+    if (!series.x.empty()) plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::vector<Plot> trace_plots(const Arrangement& runs) {
+  std::vector<Plot> plots;
+  for (const std::string& dataset : runs.datasets) {
+    std::set<std::string> names;
+    for (const Variant& variant : runs.variants) {
+      const RunRecord* run = find_run(variant, dataset);
+      if (run == nullptr) continue;
+      for (const auto& [name, values] : run->traces) names.insert(name);
+    }
+    for (const std::string& name : names) {
+      Plot plot;
+      plot.name = fmt::format("trace-{}-{}", name, dataset);
+      plot.title = fmt::format("{} from step to step, {}", name, dataset);
+      plot.caption = "As the methods record it, a value a step, of one run each.";
+      plot.x_label = "step";
+      plot.y_label = name;
+      for (std::size_t n = 0; n < runs.variants.size(); ++n) {
+        const RunRecord* run = find_run(runs.variants[n], dataset);
+        if (run == nullptr || !run->traces.contains(name)) continue;
+        Series series{runs.variants[n].name, n, {}, run->traces.at(name)};
+        for (std::size_t step = 0; step < series.y.size(); ++step) series.x.push_back(static_cast<double>(step + 1));
+        if (!series.x.empty()) plot.series.push_back(std::move(series));
+      }
+      if (!plot.empty()) plots.push_back(std::move(plot));
+    }
+  }
+  return plots;
+}
+
+std::vector<Plot> stage_plots(const Arrangement& runs) {
+  std::vector<Plot> plots;
+  for (const std::string& dataset : runs.datasets) {
+    Plot plot;
+    plot.name = "stages-" + dataset;
+    plot.title = "Seconds by stage, " + dataset;
+    plot.caption = "Wall seconds from the prepared volume to the mesh; of several runs the first. Shorter is better.";
+    plot.x_label = "";
+    plot.y_label = "seconds";
+    plot.marks = Marks::stack;
+    Runs shown;
+    for (const Variant& variant : runs.variants) {
+      const RunRecord* run = find_run(variant, dataset);
+      if (run == nullptr || run->status != Status::ok) continue;
+      shown.push_back(run);
+      plot.categories.push_back(variant.name);
+    }
+    if (shown.empty()) continue;
+    for (const std::string& part : parts_of(shown)) {
+      Series series{part, plot.series.size(), {}, {}};
+      for (std::size_t n = 0; n < shown.size(); ++n) {
+        series.x.push_back(static_cast<double>(n));
+        series.y.push_back(seconds_of(*shown[n], part));
+      }
+      plot.series.push_back(std::move(series));
+    }
+    plots.push_back(std::move(plot));
+  }
+  return plots;
+}
+
+std::vector<Plot> size_plots(const Arrangement& runs) {
+  std::vector<Plot> plots;
+  plots.push_back(over_vertices(runs, "radius-ratio-min", "smallest radius ratio",
+                                [](const RunRecord& run) { return run.measurement->radius_ratio.min; }));
+  plots.push_back(over_vertices(runs, "radius-ratio-avg", "average radius ratio",
+                                [](const RunRecord& run) { return run.measurement->radius_ratio.avg; }));
+  plots.push_back(over_vertices(runs, "seconds", "seconds", [](const RunRecord& run) { return run.seconds_total; }));
+  plots.back().log_y = true;
+  std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
+  return plots;
+}
+
+std::vector<Plot> sizing_plots(const Results& results) {
+  std::vector<Plot> plots;
+  for (const SizingGrid& grid : sizing_grids(results)) {
+    plots.push_back(grid_plot(grid, "radius-ratio-min", "smallest radius ratio",
+                              [](const RunRecord& run) { return run.measurement->radius_ratio.min; }));
+    plots.push_back(grid_plot(grid, "radius-ratio-avg", "average radius ratio",
+                              [](const RunRecord& run) { return run.measurement->radius_ratio.avg; }));
+    plots.push_back(grid_plot(grid, "vertices", "vertices", vertices_of));
+    plots.push_back(grid_plot(grid, "distance", "mean distance to the surface, mm",
+                              [](const RunRecord& run) { return run.measurement->distance.mean; }));
+  }
+  std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
+  return plots;
+}
+
+namespace {
+
+// Names become those of files: letters, digits, dots and dashes, and each only once.
+void make_file_names(std::vector<Plot>& plots) {
+  std::set<std::string> taken;
+  for (Plot& plot : plots) {
+    const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '-'; };
+    std::replace_if(
+        plot.name.begin(), plot.name.end(), [plain](char c) { return !plain(c); }, '-');
+    const std::string name = plot.name;
+    for (int n = 2; !taken.insert(plot.name).second; ++n) plot.name = fmt::format("{}-{}", name, n);
+  }
+}
+
+}  // namespace
+
+std::vector<Plot> all_plots(const Results& results) {
+  const Arrangement runs = arrange(results);
+  std::vector<Plot> plots;
+  for (std::vector<Plot> kind :
+       {radius_ratio_plots(runs), edge_length_plots(runs), angle_plots(runs), valence_plots(runs), size_plots(runs),
+        stage_plots(runs), sizing_plots(results), trace_plots(runs)}) {
+    std::move(kind.begin(), kind.end(), std::back_inserter(plots));
+  }
+  make_file_names(plots);
+  return plots;
+}
+
+}  // namespace isobench
