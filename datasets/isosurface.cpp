@@ -182,20 +182,9 @@ Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel ker
     interpolating_coefficients(volume);
   }
 
-  stride_ = {1, size[0] + 2, static_cast<std::ptrdiff_t>(size[0] + 2) * (size[1] + 2)};
-  coefficients_.resize(static_cast<std::size_t>(stride_[2]) * static_cast<std::size_t>(size[2] + 2));
+  coefficients_ = std::move(volume.samples);
   const double sign = inside == Inside::above ? 1.0 : -1.0;
-  for (int k = -1; k <= size[2]; ++k) {
-    for (int j = -1; j <= size[1]; ++j) {
-      const float* from =
-          &volume.samples[lattice_.index(0, std::clamp(j, 0, size[1] - 1), std::clamp(k, 0, size[2] - 1))];
-      float* to = &coefficients_[static_cast<std::size_t>((j + 1) * stride_[1] + (k + 1) * stride_[2])];
-      for (int i = 0; i < size[0]; ++i) to[i + 1] = static_cast<float>(sign * (from[i] - isovalue));
-      to[0] = to[1];
-      to[size[0] + 1] = to[size[0]];
-    }
-  }
-  volume.samples = {};
+  for (float& c : coefficients_) c = static_cast<float>(sign * (c - isovalue));
   check_crossing();
 }
 
@@ -220,36 +209,51 @@ void Isosurface::check_crossing() const {
       std::min(first, second), std::max(first, second), isovalue_));
 }
 
-const float* Isosurface::corner(const Eigen::Vector3d& x, std::array<double, 3>& t) const {
-  std::ptrdiff_t offset = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Cell cell = locate(x[axis] * inverse_spacing_[axis], lattice_.size[static_cast<std::size_t>(axis)]);
-    // The padding of one layer makes index − 1 of the lattice index of the array.
-    offset += cell.index * stride_[static_cast<std::size_t>(axis)];
-    t[static_cast<std::size_t>(axis)] = cell.t;
+Isosurface::Taps Isosurface::taps(const Eigen::Vector3d& x, std::array<double, 3>& t, Block& border) const {
+  const std::array<int, 3>& size = lattice_.size;
+  std::array<int, 3> first{};
+  bool within = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto coordinate = static_cast<Eigen::Index>(axis);
+    const Cell cell = locate(x[coordinate] * inverse_spacing_[coordinate], size[axis]);
+    first[axis] = cell.index - 1;
+    t[axis] = cell.t;
+    within = within && cell.index > 0 && cell.index + 2 < size[axis];
   }
-  return coefficients_.data() + offset;
+  if (within) {
+    const auto row = static_cast<std::ptrdiff_t>(size[0]);
+    return {&coefficients_[lattice_.index(first[0], first[1], first[2])], row, row * size[1]};
+  }
+  float* to = border.data();
+  for (int k = 0; k < 4; ++k) {
+    for (int j = 0; j < 4; ++j) {
+      for (int i = 0; i < 4; ++i) *to++ = coefficient(first[0] + i, first[1] + j, first[2] + k);
+    }
+  }
+  return {border.data(), 4, 16};
 }
 
 double Isosurface::value(const Eigen::Vector3d& x) const {
   std::array<double, 3> t{};
-  const float* p = corner(x, t);
+  Block border;
+  const Taps p = taps(x, t, border);
   const auto weights = kernel_ == Kernel::catmull_rom ? catmull_rom_value : bspline_value;
   double result = 0.0;
-  sum_value(p, stride_[1], stride_[2], weights(t[0]), weights(t[1]), weights(t[2]), &result);
+  sum_value(p.first, p.row, p.slab, weights(t[0]), weights(t[1]), weights(t[2]), &result);
   return result;
 }
 
 Jet Isosurface::value_gradient(const Eigen::Vector3d& x) const {
   std::array<double, 3> t{};
-  const float* p = corner(x, t);
+  Block border;
+  const Taps p = taps(x, t, border);
   std::array<Weights, 3> w;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     w[axis].w0 = bspline_value(t[axis]);
     w[axis].w1 = bspline_first(t[axis]);
   }
   std::array<double, 4> sums{};
-  sum_gradient(p, stride_[1], stride_[2], w[0], w[1], w[2], sums.data());
+  sum_gradient(p.first, p.row, p.slab, w[0], w[1], w[2], sums.data());
   if (kernel_ == Kernel::catmull_rom) sums[0] = value(x);
   Jet jet;
   jet.value = sums[0];
@@ -259,13 +263,14 @@ Jet Isosurface::value_gradient(const Eigen::Vector3d& x) const {
 
 Jet Isosurface::jet(const Eigen::Vector3d& x) const {
   std::array<double, 3> t{};
-  const float* p = corner(x, t);
+  Block border;
+  const Taps p = taps(x, t, border);
   std::array<Weights, 3> w;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     w[axis] = {bspline_value(t[axis]), bspline_first(t[axis]), bspline_second(t[axis])};
   }
   std::array<double, 10> sums{};
-  sum_jet(p, stride_[1], stride_[2], w[0], w[1], w[2], sums.data());
+  sum_jet(p.first, p.row, p.slab, w[0], w[1], w[2], sums.data());
   if (kernel_ == Kernel::catmull_rom) sums[0] = value(x);
   const Eigen::Vector3d& s = inverse_spacing_;
   Jet jet;
@@ -292,14 +297,9 @@ std::optional<Eigen::Vector3d> Isosurface::project(const Eigen::Vector3d& x, dou
 }
 
 void Isosurface::copy_coefficients(int k, std::vector<float>& slab) const {
-  const auto nx = static_cast<std::size_t>(lattice_.size[0]);
-  const auto ny = static_cast<std::size_t>(lattice_.size[1]);
-  slab.resize(nx * ny);
-  for (std::size_t j = 0; j < ny; ++j) {
-    const float* row =
-        coefficients_.data() + 1 + static_cast<std::ptrdiff_t>(j + 1) * stride_[1] + (k + 1) * stride_[2];
-    std::copy_n(row, nx, &slab[j * nx]);
-  }
+  const auto count = static_cast<std::ptrdiff_t>(lattice_.size[0]) * lattice_.size[1];
+  const auto from = coefficients_.begin() + k * count;
+  slab.assign(from, from + count);
 }
 
 void Isosurface::sample_values(int k, std::vector<float>& slab) const {
@@ -319,18 +319,25 @@ void Isosurface::node_values(int k, std::vector<float>& slab) const {
   const auto ny = static_cast<std::size_t>(lattice_.size[1]);
   slab.resize(nx * ny);
   // At a node the B-spline's taps are (1, 4, 1)/6 along each axis.
+  const auto row = [&](int j, int plane) {
+    return &coefficients_[lattice_.index(0, std::clamp(j, 0, lattice_.size[1] - 1),
+                                         std::clamp(plane, 0, lattice_.size[2] - 1))];
+  };
   std::vector<double> column(nx + 2);
-  for (std::size_t j = 0; j < ny; ++j) {
-    const float* p = coefficients_.data() + static_cast<std::ptrdiff_t>(j) * stride_[1] + k * stride_[2];
-    const std::ptrdiff_t dy = stride_[1];
-    const std::ptrdiff_t dz = stride_[2];
-    for (std::size_t i = 0; i < nx + 2; ++i, ++p) {
-      const double below = (p[0] + 4.0 * p[dy]) + p[2 * dy];
-      const double here = (p[dz] + 4.0 * p[dz + dy]) + p[dz + 2 * dy];
-      const double above = (p[2 * dz] + 4.0 * p[2 * dz + dy]) + p[2 * dz + 2 * dy];
-      column[i] = (below + 4.0 * here) + above;
+  for (int j = 0; j < lattice_.size[1]; ++j) {
+    std::array<std::array<const float*, 3>, 3> p{};
+    for (int dz = 0; dz < 3; ++dz) {
+      for (int dy = 0; dy < 3; ++dy)
+        p[static_cast<std::size_t>(dz)][static_cast<std::size_t>(dy)] = row(j + dy - 1, k + dz - 1);
     }
-    float* out = &slab[j * nx];
+    const auto across = [](const std::array<const float*, 3>& q, std::size_t i) {
+      return (q[0][i] + 4.0 * q[1][i]) + q[2][i];
+    };
+    for (std::size_t i = 0; i < nx; ++i)
+      column[i + 1] = (across(p[0], i) + 4.0 * across(p[1], i)) + across(p[2], i);
+    column.front() = column[1];
+    column.back() = column[nx];
+    float* out = &slab[static_cast<std::size_t>(j) * nx];
     for (std::size_t i = 0; i < nx; ++i) {
       out[i] = static_cast<float>(((column[i] + 4.0 * column[i + 1]) + column[i + 2]) / 216.0);
     }
@@ -338,12 +345,9 @@ void Isosurface::node_values(int k, std::vector<float>& slab) const {
 }
 
 float Isosurface::coefficient(int i, int j, int k) const {
-  const std::array<int, 3> node{i, j, k};
-  std::ptrdiff_t offset = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    offset += (std::clamp(node[axis], 0, lattice_.size[axis] - 1) + 1) * stride_[axis];
-  }
-  return coefficients_[static_cast<std::size_t>(offset)];
+  const std::array<int, 3>& size = lattice_.size;
+  return coefficients_[lattice_.index(std::clamp(i, 0, size[0] - 1), std::clamp(j, 0, size[1] - 1),
+                                      std::clamp(k, 0, size[2] - 1))];
 }
 
 double Curvatures::max_abs() const { return std::max(std::abs(k1), std::abs(k2)); }

@@ -75,12 +75,19 @@ class Isosurface {
  private:
   void check_crossing() const;
   void copy_coefficients(int k, std::vector<float>& slab) const;
-  /// The first of the 4³ taps around x, and where x lies in its cell.
-  const float* corner(const Eigen::Vector3d& x, std::array<double, 3>& t) const;
+  using Block = std::array<float, 64>;
+  /// The 4³ coefficients around a point: the first, and how far it is to the next row and slab.
+  struct Taps {
+    const float* first;
+    std::ptrdiff_t row;
+    std::ptrdiff_t slab;
+  };
+  /// t: where x lies in its cell. Near the lattice's border the coefficients are clamped copies in `border`, so that
+  /// none but those of the volume need memory.
+  Taps taps(const Eigen::Vector3d& x, std::array<double, 3>& t, Block& border) const;
 
   Lattice lattice_;
-  std::vector<float> coefficients_;  // ±(sample − c), padded by one clamped layer all round
-  std::array<std::ptrdiff_t, 3> stride_{};
+  std::vector<float> coefficients_;  // ±(sample − c), or what the prefilter makes of it
   double isovalue_;
   Inside inside_;
   Kernel kernel_;

@@ -1,6 +1,5 @@
 #include "experiments/cell.h"
 
-#include <ctime>
 #include <fstream>
 #include <new>
 
@@ -13,15 +12,6 @@
 namespace isobench {
 
 namespace {
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 // The sizing is a stage of whatever stage of the method asked for it.
 double sizing_seconds(const Monitor& monitor) {

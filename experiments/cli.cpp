@@ -22,7 +22,9 @@ struct CommandLine {
   bool quiet = false;
   bool verbose = false;
   RunArguments run;
+  SubmitArguments submit;
   std::filesystem::path report_folder;
+  std::filesystem::path status_folder;
   CompareArguments compare;
   MeshArguments mesh;
   MeasureArguments measure;
@@ -53,24 +55,49 @@ void add_sizing(CLI::App& verb, SizingRequest& sizing) {
   verb.add_option("--vertices", sizing.vertices, "uniform: number of vertices");
 }
 
-void add_run(CLI::App& app, CommandLine& line) {
-  CLI::App* verb = app.add_subcommand("run", "Run an experiment; what is done already is not done again");
-  verb->add_option(
-          "config", line.run.config,
+// Which experiment, and how it differs from its config.
+void add_experiment(CLI::App& verb, RunArguments& run) {
+  verb.add_option(
+          "config", run.config,
           "TOML file, e.g. experiments/quick.toml; or a results folder, to go on with it or, with --out, to make "
           "all of it again and compare")
       ->required();
+  verb.add_option("--out", run.out, "folder for <experiment>/ (default: results)");
+  verb.add_option("--set", run.set, "a parameter of the methods: key=value; another experiment, so give --out");
+  verb.add_option("--seed", run.seed, "of everything random, in the place of the config's; give --out");
+  verb.add_flag("--quick", run.quick, "the config's [quick] variant");
+}
+
+void add_run(CLI::App& app, CommandLine& line) {
+  CLI::App* verb = app.add_subcommand("run", "Run an experiment; what is done already is not done again");
+  add_experiment(*verb, line.run);
   verb->add_option("--only", line.run.only, "only the runs that a glob names, e.g. 'skull/*'");
-  verb->add_option("--out", line.run.out, "folder for <experiment>/ (default: results)");
-  verb->add_option("--set", line.run.set, "a parameter of the methods: key=value; another experiment, so give --out");
-  verb->add_option("--seed", line.run.seed, "of everything random, in the place of the config's; give --out");
+  verb->add_option("--cells", line.run.cells,
+                   "only cells of a results folder's plan, by number, e.g. 3-7,12; no report is written");
   verb->add_option("--jobs", line.run.jobs, "runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
   verb->add_flag("--force", line.run.force, "run again what is done");
   verb->add_flag("--dry-run", line.run.dry_run, "only say what would be run");
-  verb->add_flag("--quick", line.run.quick, "the config's [quick] variant");
   add_tables_only(*verb, line);
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return run_verb(line.run, line.common); }; });
+}
+
+void add_cluster(CLI::App& app, CommandLine& line) {
+  SubmitArguments& submit = line.submit;
+  CLI::App* verb = app.add_subcommand("submit", "Hand an experiment's missing and failed cells to Slurm");
+  add_experiment(*verb, submit.run);
+  verb->add_option("--chunk", submit.chunk, "cells a task (default: as many as take some minutes)")
+      ->check(CLI::Range(1, 1000000));
+  verb->add_option("--throttle", submit.throttle, "tasks at a time")->check(CLI::PositiveNumber);
+  verb->add_flag("--exclusive-timing", submit.exclusive, "a node for each task, so that its seconds count");
+  verb->add_option("sbatch", submit.sbatch, "after --: more for sbatch, e.g. -- --partition=long");
+  add_common(*verb, line);
+  verb->callback([&line] { line.action = [&line] { return submit_verb(line.submit, line.common); }; });
+
+  CLI::App* status = app.add_subcommand("status", "Where every cell of a results folder is");
+  status->add_option("folder", line.status_folder, "e.g. results/paper")->required();
+  add_common(*status, line);
+  status->callback([&line] { line.action = [&line] { return status_verb(line.status_folder, line.common); }; });
 }
 
 void add_report(CLI::App& app, CommandLine& line) {
@@ -156,7 +183,8 @@ void add_others(CLI::App& app, CommandLine& line) {
 
 // CLI11 only says that a word was not expected.
 void check_verb(int argc, char** argv) {
-  const std::vector<std::string> verbs = {"run", "report", "compare", "mesh", "measure", "list", "fetch", "cell"};
+  const std::vector<std::string> verbs = {"run",  "submit",  "status", "report", "compare",
+                                          "mesh", "measure", "list",   "fetch",  "cell"};
   if (argc < 2 || argv[1][0] == '-') return;
   const std::string word = argv[1];
   if (std::find(verbs.begin(), verbs.end(), word) != verbs.end()) return;
@@ -171,6 +199,7 @@ int parse_and_run(int argc, char** argv) {
   app.add_flag("--version", version, "version, commit and libraries");
   app.require_subcommand(0, 1);
   add_run(app, line);
+  add_cluster(app, line);
   add_report(app, line);
   add_compare(app, line);
   add_mesh(app, line);

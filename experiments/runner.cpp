@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string own_plan = "request.json";  // in a run's temporary folder
+
 volatile std::sig_atomic_t stop_signal = 0;
 void remember_signal(int signal) { stop_signal = signal; }
 
@@ -192,10 +194,12 @@ class Runner {
       store_without_reference(request, title, std::move(*claim));
       return Start::taken;
     }
+    // Of its own, so that no child has to read a plan of a hundred thousand.
+    write_text(claim->folder() / own_plan, plan_to_json({request}));
     std::vector<std::string> command = {options_.program.string(),
                                         "cell",
                                         "--plan",
-                                        (store_.folder() / "plan.json").string(),
+                                        (claim->folder() / own_plan).string(),
                                         "--run",
                                         request.run,
                                         "--folder",
@@ -242,6 +246,7 @@ class Runner {
       fs::remove_all(active.claim.folder() / "run.json");
       write_record(record, active.claim.folder() / "run.json");
     }
+    fs::remove(active.claim.folder() / own_plan);
     active.claim.commit();
     conclude(record, active.title, seconds);
   }

@@ -7,9 +7,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <thread>
 
 #include "experiments/plan.h"
+#include "reports/environment.h"
 #include "reports/report.h"
 
 namespace isobench {
@@ -32,6 +34,12 @@ void settle_replaced(const fs::path& folder, const std::string& run) {
     fs::remove_all(old);
   else
     fs::rename(old, folder / run);
+}
+
+Owner this_process() { return {host_name(), getpid(), slurm_task(), utc_now()}; }
+
+std::string owner_text(const Owner& owner) {
+  return fmt::format("{} {} {} {}\n", owner.host, owner.pid, owner.since, owner.job);
 }
 
 // Of processes that died: files beside the runs, which are only written under the lock of the results, and runs.
@@ -67,6 +75,11 @@ std::optional<FileLock> FileLock::try_lock(const fs::path& path) {
   close(descriptor);
   if (error == EWOULDBLOCK) return std::nullopt;
   throw Error(path.string() + ": cannot be locked: " + std::strerror(error));
+}
+
+void FileLock::write(const std::string& text) const {
+  if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, text.data(), text.size(), 0) < 0)
+    throw Error(std::string("a lock file cannot be written: ") + std::strerror(errno));
 }
 
 FileLock::~FileLock() {
@@ -130,18 +143,22 @@ void check_folder(const fs::path& folder, const Config& config) {
 
 namespace {
 
-// Of what is stored alone.
-RunState stored_state(const fs::path& folder, const RunRequest& request) {
+std::optional<Status> stored_status(const fs::path& folder, const RunRequest& request) {
   const fs::path path = folder / request.run / "run.json";
-  if (!fs::exists(path)) return RunState::missing;
+  if (!fs::exists(path)) return std::nullopt;
   try {
     const RunRecord record = read_record(path);
-    if (result_key(record.request) != result_key(request)) return RunState::missing;
-    const bool done = record.status == Status::ok || record.status == Status::skipped;
-    return done ? RunState::done : RunState::retry;
-  } catch (const Error&) {
-    return RunState::missing;
+    if (result_key(record.request) == result_key(request)) return record.status;
+  } catch (const Error&) {  // damaged: as good as none
   }
+  return std::nullopt;
+}
+
+// Of what is stored alone.
+RunState stored_state(const fs::path& folder, const RunRequest& request) {
+  const std::optional<Status> status = stored_status(folder, request);
+  if (!status) return RunState::missing;
+  return *status == Status::ok || *status == Status::skipped ? RunState::done : RunState::retry;
 }
 
 // Whether a process that lives is at a run. The lock of a run that nobody has begun is let be: another process might
@@ -152,6 +169,18 @@ bool being_done(const fs::path& folder, const std::string& run) {
 }
 
 }  // namespace
+
+StoredRun stored_run(const fs::path& folder, const RunRequest& request) {
+  return {stored_status(folder, request), being_done(folder, request.run)};
+}
+
+std::optional<Owner> last_owner(const fs::path& folder, const std::string& run) {
+  std::ifstream file(lock_path(folder, run));
+  Owner owner;
+  if (!(file >> owner.host >> owner.pid >> owner.since)) return std::nullopt;
+  file >> owner.job;
+  return owner;
+}
 
 RunState run_state(const fs::path& folder, const RunRequest& request) {
   const RunState state = stored_state(folder, request);
@@ -196,11 +225,14 @@ std::optional<fs::file_time_type> Store::recorded(const RunRequest& request) con
   return error ? std::nullopt : std::optional(time);
 }
 
-std::optional<FileLock> Store::claim_quiet() const { return FileLock::try_lock(folder_ / ".locks" / "timed"); }
+std::optional<FileLock> Store::claim_quiet() const {
+  return FileLock::try_lock(folder_ / ".locks" / ("timed-" + host_name()));
+}
 
 std::optional<Claim> Store::claim(const RunRequest& request) const {
   std::optional<FileLock> lock = FileLock::try_lock(lock_path(folder_, request.run));
   if (!lock) return std::nullopt;
+  lock->write(owner_text(this_process()));
   return Claim(std::move(*lock), folder_ / (temporary_prefix + request.run), folder_ / request.run);
 }
 

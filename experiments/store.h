@@ -20,6 +20,8 @@ class FileLock {
  public:
   /// std::nullopt where another process holds it.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
+  /// What the file is to hold, for others to see who has the lock.
+  void write(const std::string& text) const;
   FileLock(FileLock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
   ~FileLock();
   FileLock& operator=(FileLock&&) = delete;
@@ -59,6 +61,14 @@ enum class RunState {
   elsewhere,  ///< not done, but another process is at it
 };
 
+/// Who is at a run, or was last.
+struct Owner {
+  std::string host;
+  int pid = 0;
+  std::string job;    ///< "123_4", of a Slurm task; "" elsewhere
+  std::string since;  ///< UTC, ISO 8601
+};
+
 class Store {
  public:
   /// Makes or opens `folder` for a config, removes what dead processes left and writes config.toml, plan.json and
@@ -76,9 +86,8 @@ class Store {
   std::optional<std::filesystem::file_time_type> recorded(const RunRequest& request) const;
   /// std::nullopt where another process is doing this run.
   std::optional<Claim> claim(const RunRequest& request) const;
-  /// Held while a timed run goes on, so that no other process runs one of this folder beside it; std::nullopt where
-  /// another process holds it. Processes on other machines are not in each other's way, yet wait, too, where the folder
-  /// is shared.
+  /// Held while a timed run goes on, so that no other process of this machine runs one of this folder beside it;
+  /// std::nullopt where another process holds it.
   std::optional<FileLock> claim_quiet() const;
 
  private:
@@ -91,8 +100,16 @@ FileLock lock_results(const std::filesystem::path& folder);
 /// write_report() under that lock.
 Report write_report_locked(const std::filesystem::path& folder, ReportParts parts);
 
+/// What is stored of a run, and whether a living process is at it. Makes and touches nothing.
+struct StoredRun {
+  std::optional<Status> status;  ///< std::nullopt where there is no record, or one that is damaged or of something else
+  bool elsewhere = false;
+};
+StoredRun stored_run(const std::filesystem::path& folder, const RunRequest& request);
 /// What Store::state() would say, and `elsewhere` for what another process is at, without making or touching anything.
 RunState run_state(const std::filesystem::path& folder, const RunRequest& request);
+/// Who claimed a run last; std::nullopt where nobody did.
+std::optional<Owner> last_owner(const std::filesystem::path& folder, const std::string& run);
 /// Throws UsageError where a results folder that exists does not belong to this config.
 void check_folder(const std::filesystem::path& folder, const Config& config);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "experiments/cell_numbers.h"
 #include "experiments/plan.h"
 #include "experiments/runner.h"
 #include "experiments/verbs.h"
@@ -117,14 +118,77 @@ int exit_code(const RunSummary& summary) {
   return nothing_but_data ? 3 : 1;
 }
 
-}  // namespace
-
-int run_verb(const RunArguments& arguments, const CommonArguments& common) {
-  const Source source = source_of(arguments);
+Config config_of(const RunArguments& arguments, const Source& source) {
   Config config = read_config(source.config, arguments.quick ? Size::quick : Size::full);
   if (!source.name.empty()) config.name = source.name;
   for (const std::string& setting : arguments.set) set_parameter(config, setting);
   if (arguments.seed) config.seeds = {*arguments.seed};
+  return config;
+}
+
+RunOptions options_of(const RunArguments& arguments, const CommonArguments& common) {
+  RunOptions options;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.jobs = arguments.jobs;
+  options.threads = common.threads;
+  options.force = arguments.force;
+  return options;
+}
+
+void say_stopped(const RunSummary& summary) {
+  fmt::print(stderr, "isobench: stopped ({}); nothing is half-done, the same command continues from here\n",
+             counts(summary));
+}
+
+// Some cells of a plan as it was frozen: what a task of a cluster does. The report is for when all are done.
+int run_some(const RunArguments& arguments, const CommonArguments& common) {
+  const bool more =
+      arguments.only != "*" || arguments.out || !arguments.set.empty() || arguments.seed || arguments.quick;
+  if (more || !std::filesystem::is_directory(arguments.config)) {
+    throw UsageError(
+        "--cells goes with a results folder alone, whose plan it takes as it is; freeze one by `isobench submit` or "
+        "begin one by `isobench run`");
+  }
+  const std::vector<RunRequest> plan = read_plan(arguments.config);
+  std::vector<RunRequest> cells;
+  for (const std::size_t number : parse_cell_numbers(arguments.cells, plan.size())) cells.push_back(plan[number - 1]);
+  if (arguments.dry_run) {
+    print_plan(arguments.config, cells, arguments.force);
+    return 0;
+  }
+  Console console(common.verbosity);
+  const RunSummary summary =
+      run_cells(Store(std::filesystem::canonical(arguments.config)), cells, options_of(arguments, common), console);
+  if (summary.interrupted) {
+    say_stopped(summary);
+    return 130;
+  }
+  console.line(
+      fmt::format("{}; the report, once all is done: isobench report {}", counts(summary), arguments.config.string()));
+  return exit_code(summary);
+}
+
+}  // namespace
+
+std::vector<RunRequest> read_plan(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "plan.json";
+  if (!std::filesystem::exists(path))
+    throw UsageError(folder.string() + " has no plan.json, so it is no results folder; give one, e.g. results/paper");
+  return plan_from_json(read_text(path), path.string());
+}
+
+FrozenPlan freeze_plan(const RunArguments& arguments) {
+  const Source source = source_of(arguments);
+  const Config config = config_of(arguments, source);
+  FrozenPlan frozen{source.out / config.name, make_plan(config)};
+  const Store store(frozen.folder, config, frozen.plan);
+  return frozen;
+}
+
+int run_verb(const RunArguments& arguments, const CommonArguments& common) {
+  if (!arguments.cells.empty()) return run_some(arguments, common);
+  const Source source = source_of(arguments);
+  const Config config = config_of(arguments, source);
   const std::vector<RunRequest> plan = make_plan(config);
   const std::vector<RunRequest> cells = selection(plan, arguments.only);
   const std::filesystem::path folder = source.out / config.name;
@@ -135,15 +199,9 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common) {
   }
   Console console(common.verbosity);
   const Store store(folder, config, plan);
-  RunOptions options;
-  options.program = std::filesystem::read_symlink("/proc/self/exe");
-  options.jobs = arguments.jobs;
-  options.threads = common.threads;
-  options.force = arguments.force;
-  const RunSummary summary = run_cells(store, cells, options, console);
+  const RunSummary summary = run_cells(store, cells, options_of(arguments, common), console);
   if (summary.interrupted) {
-    fmt::print(stderr, "isobench: stopped ({}); nothing is half-done, the same command continues from here\n",
-               counts(summary));
+    say_stopped(summary);
     return 130;
   }
   const Report report = make_report(folder, common, console);

@@ -12,6 +12,7 @@
 #include "experiments/progress.h"
 #include "methods/sizing/sizing_field.h"
 #include "metrics/reference_topology.h"
+#include "reports/record.h"
 
 namespace isobench {
 
@@ -31,8 +32,32 @@ struct RunArguments {
   bool force = false;
   bool dry_run = false;
   bool quick = false;
+  std::string cells;  ///< "3-7,12": these of a results folder's frozen plan alone, without a report; "": all
 };
 int run_verb(const RunArguments& arguments, const CommonArguments& common);
+
+/// An experiment's plan, written into its results folder.
+struct FrozenPlan {
+  std::filesystem::path folder;
+  std::vector<RunRequest> plan;
+};
+/// Of a config, or of a results folder that has one; honours config, out, set, seed and quick.
+FrozenPlan freeze_plan(const RunArguments& arguments);
+/// plan.json of a results folder. Throws UsageError where there is none.
+std::vector<RunRequest> read_plan(const std::filesystem::path& folder);
+
+struct SubmitArguments {
+  RunArguments run;                     ///< which experiment
+  std::optional<std::size_t> chunk;     ///< cells a task; default: what takes five minutes, as far as that is known
+  std::optional<std::size_t> throttle;  ///< tasks at a time
+  bool exclusive = false;               ///< a node for each task, its seconds marked so
+  std::vector<std::string> sbatch;      ///< words for sbatch
+};
+/// Hands the cells that are missing or failed to Slurm as job arrays, and a report after them.
+int submit_verb(const SubmitArguments& arguments, const CommonArguments& common);
+
+/// Says where every cell of a results folder is.
+int status_verb(const std::filesystem::path& folder, const CommonArguments& common);
 
 /// Makes the reports of a results folder from what is stored.
 int report_verb(const std::filesystem::path& folder, const CommonArguments& common);

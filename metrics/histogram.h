@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace isobench {
@@ -9,7 +10,8 @@ namespace isobench {
 struct Histogram {
   double low = 0.0;
   double high = 1.0;
-  std::vector<std::size_t> counts;  ///< equal bins over [low, high]; values outside fall into the outermost ones
+  /// Equal bins over [low, high]; values outside fall into the outermost ones.
+  std::vector<std::uint32_t> counts;
 
   Histogram() = default;
   Histogram(double from, double to, std::size_t bins) : low(from), high(to), counts(bins, 0) {}

@@ -130,7 +130,7 @@ TEST(Histogram, CountsByBinAndKeepsWhatIsOutside) {
   for (const double value : {0.0, 0.49, 0.5, 1.99, 2.0, -3.0, 1e300, std::numeric_limits<double>::infinity()}) {
     histogram.add(value);
   }
-  EXPECT_EQ(histogram.counts, (std::vector<std::size_t>{3, 1, 0, 4}));
+  EXPECT_EQ(histogram.counts, (std::vector<std::uint32_t>{3, 1, 0, 4}));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "reports/timing.h"
+
 namespace isobench {
 
 namespace {
@@ -62,6 +64,7 @@ Arrangement arrange(const Results& results) {
     }
     variant->runs[request.dataset].push_back(&record);
   }
+  arrangement.timing = usual_timing(arrangement);
   return arrangement;
 }
 

@@ -21,6 +21,7 @@ struct Variant {
 struct Arrangement {
   std::vector<std::string> datasets;  ///< in the order of the plan
   std::vector<Variant> variants;
+  std::string timing;  ///< usual_timing(): of these runs alone are seconds compared
 };
 
 /// The sizing that was asked for: "ε 0.5, δ 0.3", "2.2 mm", "5000 vertices", with the floor where it is not the

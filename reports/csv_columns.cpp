@@ -50,7 +50,9 @@ std::vector<CsvColumn> cost_columns() {
       {"mesh_checksum", "", "Checksum of the finished mesh: the same for meshes that agree bit for bit."},
       {"match_to", "", "The run whose number of vertices this one was brought to; else empty."},
       {"match_vertices", "", "That number; else empty."},
-      {"match_reason", "", "Why the number of vertices is not within 2 % of it; empty where it is."}};
+      {"match_reason", "", "Why the number of vertices is not within 2 % of it; empty where it is."},
+      {"host", "", "The machine that it ran on: seconds of different machines do not compare."},
+      {"exclusive", "", "Whether a scheduler gave the whole machine to the run: true or false."}};
 }
 
 CsvColumn figure_column(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 #include "reports/git_commit.h"
@@ -23,11 +24,6 @@ std::string cpu_model() {
   return "unknown";
 }
 
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
 // What the scheduler lets this process use, which in a container is less than what the machine has.
 int usable_cores() {
   cpu_set_t set;
@@ -40,7 +36,33 @@ double load_average() {
   return getloadavg(&load, 1) == 1 ? load : 0.0;
 }
 
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
 }  // namespace
+
+std::string host_name() {
+  // Several nodes of a cluster may be one machine: what the scheduler calls it is its name.
+  if (std::string node = variable("SLURMD_NODENAME"); !node.empty()) return node;
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+std::string slurm_task() {
+  const std::string array = variable("SLURM_ARRAY_JOB_ID");
+  return array.empty() ? variable("SLURM_JOB_ID") : array + "_" + variable("SLURM_ARRAY_TASK_ID");
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
 
 Environment environment() {
   Environment here;
@@ -58,6 +80,8 @@ Environment environment() {
   here.cpu = cpu_model();
   here.cores = usable_cores();
   here.load = load_average();
+  here.exclusive = !variable("ISOBENCH_EXCLUSIVE").empty();
+  here.job = slurm_task();
   return here;
 }
 

@@ -15,9 +15,17 @@ struct Environment {
   std::map<std::string, std::string> libraries;  ///< name → version
   std::string host;
   std::string cpu;
-  int cores = 0;      ///< that this process may use
-  double load = 0.0;  ///< one-minute load average
+  int cores = 0;           ///< that this process may use
+  double load = 0.0;       ///< one-minute load average
+  bool exclusive = false;  ///< a scheduler gave the whole machine to this run alone (ISOBENCH_EXCLUSIVE is set)
+  std::string job;         ///< slurm_task()
 };
+
+std::string host_name();
+/// "123_4" in a task of a Slurm job array, "123" in another job, "" elsewhere.
+std::string slurm_task();
+/// UTC, ISO 8601, to the second.
+std::string utc_now();
 
 /// Of this program on this machine, now.
 Environment environment();

@@ -108,8 +108,17 @@ std::string plan_to_json(const std::vector<RunRequest>& plan) {
 std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin) {
   return located(origin, "plan", [&] {
     std::vector<RunRequest> plan;
-    const Json json = Json::parse(text);
-    for (const Json& request : json.at("runs")) plan.push_back(request_from_json(request));
+    bool runs = false;
+    // Each run is taken over when it has been read and dropped from the parsed text, which of a hundred thousand would
+    // take several times the memory of the plan.
+    const auto take_over = [&](int depth, Json::parse_event_t event, Json& parsed) {
+      if (depth == 1 && event == Json::parse_event_t::key) runs = parsed == "runs";
+      if (!runs || depth != 2 || event != Json::parse_event_t::object_end) return true;
+      plan.push_back(request_from_json(parsed));
+      return false;
+    };
+    const Json json = Json::parse(text, take_over);
+    if (!json.at("runs").is_array() || !json.at("runs").empty()) throw DataError("'runs' is no list of runs");
     return plan;
   });
 }

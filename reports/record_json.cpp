@@ -14,9 +14,10 @@ Eigen::Vector3d vector_from_json(const Json& j) {
 }
 
 Json environment_to_json(const Environment& e) {
-  return {{"version", e.version},       {"commit", e.commit},       {"dirty", e.dirty}, {"compiler", e.compiler},
-          {"build_type", e.build_type}, {"libraries", e.libraries}, {"host", e.host},   {"cpu", e.cpu},
-          {"cores", e.cores},           {"load", number(e.load)}};
+  return {
+      {"version", e.version},       {"commit", e.commit},       {"dirty", e.dirty},         {"compiler", e.compiler},
+      {"build_type", e.build_type}, {"libraries", e.libraries}, {"host", e.host},           {"cpu", e.cpu},
+      {"cores", e.cores},           {"load", number(e.load)},   {"exclusive", e.exclusive}, {"job", e.job}};
 }
 
 Environment environment_from_json(const Json& json) {
@@ -31,6 +32,8 @@ Environment environment_from_json(const Json& json) {
   e.cpu = json.at("cpu").get<std::string>();
   e.cores = integer<int>(json.at("cores"));
   read(json.at("load"), e.load);
+  e.exclusive = json.value("exclusive", false);  // records of before there were clusters have neither
+  e.job = json.value("job", "");
   return e;
 }
 
@@ -95,7 +98,7 @@ Measurement measurement_from_json(const Json& figures, const Json& histograms) {
     const Json& json = histograms.at(name);
     histogram.low = json.at("low").get<double>();
     histogram.high = json.at("high").get<double>();
-    histogram.counts = integers<std::size_t>(json.at("counts"));
+    histogram.counts = integers<std::uint32_t>(json.at("counts"));
   });
   measurement.valence.counts = integers<std::size_t>(histograms.at("valence").at("counts"));
   return measurement;

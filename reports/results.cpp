@@ -1,7 +1,8 @@
 #include "reports/results.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <map>
 
 #include "datasets/toml.h"
 
@@ -11,17 +12,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> run_folders(const fs::path& folder) {
-  std::vector<fs::path> runs;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    // Names with a dot in front are unfinished or being replaced.
-    if (!name.starts_with(".") && entry.is_directory() && fs::exists(entry.path() / "run.json")) {
-      runs.push_back(entry.path());
-    }
+// One planned run as it is found in its folder.
+struct Found {
+  std::optional<RunRecord> record;
+  std::string problem;  // with a record that is damaged
+};
+
+Found find(const fs::path& folder, const RunRequest& request) {
+  const fs::path path = folder / request.run / "run.json";
+  if (!fs::exists(path)) return {};
+  try {
+    Found found{read_record(path), ""};
+    // The label is the plan's: renaming one does not make another result.
+    found.record->request.label = request.label;
+    return found;
+  } catch (const Error& error) {
+    return {std::nullopt, error.what()};
   }
-  std::sort(runs.begin(), runs.end());
-  return runs;
 }
 
 // A folder without its config still has its runs: the name will do.
@@ -41,24 +48,22 @@ Results load_results(const fs::path& folder) {
   Results results;
   results.name = fs::canonical(folder).filename().string();
   results.title = title_of(folder, results.name);
-  std::map<std::string, RunRecord> found;
-  for (const fs::path& run : run_folders(folder)) {
-    try {
-      found.emplace(run.filename().string(), read_record(run / "run.json"));
-    } catch (const Error& error) {
-      results.unreadable.emplace_back(error.what());
+  const std::vector<RunRequest> plan =
+      plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string());
+  results.records.reserve(plan.size());
+  // Side by side, but a hundred thousand records are not to be held twice.
+  constexpr std::size_t batch = 1024;
+  std::vector<Found> found(std::min(batch, plan.size()));
+  for (std::size_t start = 0; start < plan.size(); start += batch) {
+    const std::size_t count = std::min(batch, plan.size() - start);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) { found[n] = find(folder, plan[start + n]); });
+    for (std::size_t n = 0; n < count; ++n) {
+      if (found[n].record)
+        results.records.push_back(std::move(*found[n].record));
+      else
+        results.missing.push_back(plan[start + n]);
+      if (!found[n].problem.empty()) results.unreadable.push_back(std::move(found[n].problem));
     }
-  }
-  for (const RunRequest& request : plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string())) {
-    const auto record = found.find(request.run);
-    if (record == found.end()) {
-      results.missing.push_back(request);
-      continue;
-    }
-    // The label is the plan's: renaming one does not make another result.
-    record->second.request.label = request.label;
-    results.records.push_back(std::move(record->second));
-    found.erase(record);
   }
   // Runs of an earlier revision or merged from elsewhere stay in the folder but not in the tables of this plan.
   if (fs::exists(folder / "published.toml")) results.published = read_published(folder / "published.toml");

@@ -50,6 +50,8 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
                                             {"seed", fmt::format("{}", request.seed)},
                                             {"repeat", fmt::format("{}", request.repeat)},
                                             {"mesh_checksum", record.mesh_checksum},
+                                            {"host", record.environment.host},
+                                            {"exclusive", record.environment.exclusive ? "true" : "false"},
                                             {"status", to_string(record.status)},
                                             {"reason", record.reason},
                                             {"reference_k", fmt::format("{}", request.reference_k)}};

@@ -53,7 +53,8 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "edge_over_h0_max,edge_over_h0_exceed_percent,edge_over_h0_exceed_count,floor_area_percent,components,"
             "components_reference,euler,euler_reference,reference_k,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
-            "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason");
+            "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
+            "host,exclusive");
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {

@@ -57,6 +57,7 @@ inline RunRecord sample_record(const std::string& dataset, const std::string& me
   m.reference.components = 3;
   m.distance.mean = 0.0125;
   record.mesh_checksum = "c0ffee";
+  record.environment.host = "node1";
   record.measured_again = MeasuredAgain{"2026-02-03T04:05:06Z", "fedcba", true};
   record.seconds_prepare = 1.5;
   record.seconds_sizing = 2.0;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "reports/timing.h"
+
 namespace isobench {
 
 namespace {
@@ -63,6 +65,11 @@ TableCell over_all(const Runs& runs, const Figure& figure, const Print& print) {
 
 TableCell over(const Runs& runs, const Figure& figure, const Print& print) {
   return over_all(gated(runs), figure, print);
+}
+
+TableCell over_timed(const Arrangement& arrangement, const Runs& runs, const Figure& figure, const Print& print) {
+  const Runs alike = timed_so(gated(runs), arrangement.timing);
+  return alike.empty() ? TableCell("§") : over_all(alike, figure, print);
 }
 
 TableCell beside(TableCell cell, const TableCell& next) {

@@ -22,6 +22,9 @@ TableCell instead_of_figures(const RunRecord* record);
 
 /// One figure over runs of which at least one is finished, ready for a cell; of those that gated() lets pass.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
+/// The same of what was timed as most of the runs were (Arrangement::timing): seconds of others do not compare, and
+/// where a cell has no others it says " §".
+TableCell over_timed(const Arrangement& arrangement, const Runs& runs, const Figure& figure, const Print& print);
 /// The same over all finished runs: for what tells whether they may pass.
 TableCell over_all(const Runs& runs, const Figure& figure, const Print& print);
 /// "a / b" in one cell.

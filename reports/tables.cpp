@@ -8,6 +8,7 @@
 
 #include "reports/sizing_grid.h"
 #include "reports/table_parts.h"
+#include "reports/timing.h"
 
 namespace isobench {
 
@@ -17,6 +18,7 @@ struct Column {
   std::string title;
   Figure figure;
   Print print;
+  bool timed = false;  ///< seconds, which compare only where they were measured alike
 };
 
 // A table of one row a dataset and variant; several seeds or repeats give the median and the range, of those that
@@ -35,9 +37,10 @@ Table table_of_runs(const Arrangement& runs, const std::string& title, const std
       const bool ok = record->status == Status::ok;
       TableRow row = {dataset, variant.name + spread_label(group, gate) + marks(group)};
       for (const Column& column : columns) {
-        row.push_back(!ok    ? TableCell("–")
-                      : gate ? over(group, column.figure, column.print)
-                             : over_all(group, column.figure, column.print));
+        row.push_back(!ok            ? TableCell("–")
+                      : column.timed ? over_timed(runs, group, column.figure, column.print)
+                      : gate         ? over(group, column.figure, column.print)
+                                     : over_all(group, column.figure, column.print));
       }
       if (!ok) row[2] = instead_of_figures(record);
       table.rows.push_back(std::move(row));
@@ -91,6 +94,13 @@ std::string footnotes(const Results& results) {
   }
   if (any([](const RunRecord& record) { return record.match && !record.match->reason.empty(); })) {
     text += "‡ not of the number of vertices that it was to be matched to: see the table of matches.\n";
+  }
+  const Arrangement runs = arrange(results);
+  if (std::vector<std::string> others = all_timings(runs); others.size() > 1) {
+    std::erase(others, runs.timing);
+    text += fmt::format(
+        "§ Seconds are compared among the runs on {} alone; left out are those on {}: see results.csv and run.json.\n",
+        runs.timing, fmt::join(others, "; on "));
   }
   if (any([](const RunRecord& record) { return !record.deterministic; })) {
     std::set<std::string> names;
@@ -165,12 +175,13 @@ Table distance_table(const Arrangement& runs) {
 
 Table cost_table(const Arrangement& runs) {
   using R = RunRecord;
-  Table table = table_of_runs(runs, "Cost",
-                              {{"prepare s", [](const R& r) { return r.seconds_prepare; }, to_significant(3)},
-                               {"sizing s", [](const R& r) { return r.seconds_sizing; }, to_significant(3)},
-                               {"method s", [](const R& r) { return r.seconds_method; }, to_significant(3)},
-                               {"sizing + method s", [](const R& r) { return r.seconds_total; }, to_significant(3)},
-                               {"peak MB", [](const R& r) { return r.peak_memory_mb; }, to_significant(3)}});
+  Table table =
+      table_of_runs(runs, "Cost",
+                    {{"prepare s", [](const R& r) { return r.seconds_prepare; }, to_significant(3), true},
+                     {"sizing s", [](const R& r) { return r.seconds_sizing; }, to_significant(3), true},
+                     {"method s", [](const R& r) { return r.seconds_method; }, to_significant(3), true},
+                     {"sizing + method s", [](const R& r) { return r.seconds_total; }, to_significant(3), true},
+                     {"peak MB", [](const R& r) { return r.peak_memory_mb; }, to_significant(3)}});
   table.remarks = {
       "Wall seconds. Prepare reads and prepares the volume; a method that asks for no sizing field pays none; metrics "
       "and files are not counted. Peak memory is the process's, up to the finished mesh."};
@@ -195,7 +206,7 @@ Table seed_table(const Arrangement& runs) {
       table.rows.push_back({dataset, variant.name + spread_label(find_runs(variant, dataset)) + marks(group),
                             over(group, vertices, as_number()), over(group, smallest, to_significant(3)),
                             over(group, average, to_significant(4)), over(group, six, to_significant(4)),
-                            over(group, seconds, to_significant(3)), sameness(group)});
+                            over_timed(runs, group, seconds, to_significant(3)), sameness(group)});
     }
   }
   return table;
@@ -212,6 +223,7 @@ std::vector<Table> all_tables(const Results& results) {
                                cost_table(runs),
                                seed_table(runs),
                                match_table(results)};
+  for (Table& stages : stage_tables(runs)) tables.push_back(std::move(stages));
   for (Table& grid : sizing_grid_tables(results)) tables.push_back(std::move(grid));
   std::erase_if(tables, [](const Table& table) { return table.empty(); });
   return tables;

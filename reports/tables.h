@@ -28,6 +28,8 @@ Table edge_length_table(const Results& results, const Arrangement& runs);   ///<
 Table topology_table(const Arrangement& runs);
 Table distance_table(const Arrangement& runs);
 Table cost_table(const Arrangement& runs);
+/// Of each method that tells of two stages or more, where its time goes: one row a run, one column a stage.
+std::vector<Table> stage_tables(const Arrangement& runs);
 Table seed_table(const Arrangement& runs);  ///< spread over seeds and repeats, and whether repeats agree
 Table match_table(const Results& results);  ///< what was matched to what, and how near it came
 

@@ -35,7 +35,8 @@ double vertices(const RunRecord& r) { return static_cast<double>(r.measurement->
 double triangles(const RunRecord& r) { return static_cast<double>(r.measurement->triangles); }
 double seconds(const RunRecord& r) { return r.seconds_total; }
 
-TableRow sizes_row(const Results& results, const Variant& variant, const std::string& dataset, const Runs& runs) {
+TableRow sizes_row(const Results& results, const Arrangement& arrangement, const Variant& variant,
+                   const std::string& dataset, const Runs& runs) {
   const RunRecord& record = *find_run(variant, dataset);
   const auto beside_published = [&](TableCell cell, const char* quantity) {
     return with_published(std::move(cell), results, {quantity}, dataset, variant.method);
@@ -46,7 +47,7 @@ TableRow sizes_row(const Results& results, const Variant& variant, const std::st
     row.insert(row.end(), {instead_of_figures(&record), "–", "–"});
     return row;
   }
-  row.push_back(beside_published(with_unit(over(runs, seconds, to_significant(3)), "s"), "minutes"));
+  row.push_back(beside_published(with_unit(over_timed(arrangement, runs, seconds, to_significant(3)), "s"), "minutes"));
   row.push_back(beside_published(over(runs, vertices, as_number()), "vertices"));
   row.push_back(beside_published(with_mark(over(runs, triangles, as_number()), marks(runs)), "triangles"));
   return row;
@@ -175,7 +176,7 @@ Table sizes_table(const Results& results, const Arrangement& runs) {
   for (const std::string& dataset : runs.datasets) {
     for (const Variant& variant : runs.variants) {
       const Runs& group = find_runs(variant, dataset);
-      if (!group.empty()) table.rows.push_back(sizes_row(results, variant, dataset, group));
+      if (!group.empty()) table.rows.push_back(sizes_row(results, runs, variant, dataset, group));
     }
   }
   table.remarks = {

@@ -47,6 +47,24 @@ Results sample_results() {
   return results;
 }
 
+TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
+  Results results = sample_results();
+  // The sample has one stage beside the whole; stages within others and those of measuring have no column.
+  EXPECT_TRUE(stage_tables(arrange(results)).empty());
+  results.records[0].stages = {{"prepare", 9.0, 9.0},    {"mesh/sizing", 0.5, 1.0}, {"mesh/seeds/inner", 0.75, 1.0},
+                               {"mesh/seeds", 1.0, 1.5}, {"mesh", 2.0, 3.0},        {"measure/shape", 0.5, 0.5}};
+  results.records[0].measurement->vertices = 1000;
+  const auto tables = stage_tables(arrange(results));
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].title, "Seconds by stage: particles");
+  EXPECT_EQ(tables[0].header, (std::vector<std::string>{"Data", "Method", "vertices", "sizing", "seeds", "in all",
+                                                        "CPU / wall", "µs a vertex"}));
+  const auto row = find_row(tables[0], {"pelvis", "particles"});
+  EXPECT_EQ(row, (std::vector<std::string>{"pelvis", "particles", "1000", "0.500", "1.00", "2.00", "1.50", "2000"}));
+  // A run that does not know a stage is no run in which it took no time.
+  EXPECT_EQ(find_row(tables[0], {"skull", "particles †"})[4], "–");
+}
+
 TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
   const Results results = sample_results();
   const std::string table = markdown(radius_ratio_table(results, arrange(results)));

@@ -38,10 +38,13 @@ bool Advance::valid(const Entry& entry) const {
   return node.alive && node.stamp == entry.stamp;
 }
 
-std::optional<Vertex> Advance::apex_of(int node, int rules) const {
+std::optional<Vertex> Advance::apex_of(int node, int rules) {
   const int end = front_.next(node);
-  return grown_apex(surface_, step_, front_.vertex(node), front_.vertex(end), Advance::rules(rules).shrink,
-                    {gap_angle(front_, node), gap_angle(front_, end)});
+  auto apex = grown_apex(surface_, step_, front_.vertex(node), front_.vertex(end), Advance::rules(rules).shrink,
+                         {gap_angle(front_, node), gap_angle(front_, end)});
+  if (!apex || bounds_.contains(apex->x)) return apex;
+  strayed_ = true;
+  return std::nullopt;
 }
 
 void Advance::push_grow(int node, int rules) {

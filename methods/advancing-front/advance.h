@@ -1,6 +1,7 @@
 // Moves a front over the surface until nothing is left to do (Schreiner, Scheidegger, Silva 2006).
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,14 +30,16 @@ struct Counts {
 /// tried again under looser rules when all others are done; what then remains is left to the failsafe.
 class Advance {
  public:
-  /// Keeps references.
-  Advance(const Isosurface& surface, Step step, Front& front, Counts& counts)
-      : surface_(surface), step_(std::move(step)), front_(front), counts_(counts) {}
+  /// Keeps references. Nothing grows out of `bounds`.
+  Advance(const Isosurface& surface, Step step, Front& front, Counts& counts, const Eigen::AlignedBox3d& bounds)
+      : surface_(surface), step_(std::move(step)), front_(front), counts_(counts), bounds_(bounds) {}
 
   /// All edges of the loop through a node will be advanced.
   void add_loop(int node);
   /// Throws Cancelled.
   void run(const Monitor& monitor);
+  /// Whether the front wanted to leave the bounds.
+  bool strayed() const { return strayed_; }
 
  private:
   struct Rules;
@@ -61,7 +64,7 @@ class Advance {
 
   static const Rules& rules(int n);
   bool valid(const Entry& entry) const;
-  std::optional<Vertex> apex_of(int node, int rules) const;
+  std::optional<Vertex> apex_of(int node, int rules);
   void push_grow(int node, int rules);
   void push_connect(int node, int rules, double angle);
   void try_grow(const Entry& entry);
@@ -76,6 +79,8 @@ class Advance {
   Step step_;
   Front& front_;
   Counts& counts_;
+  Eigen::AlignedBox3d bounds_;
+  bool strayed_ = false;
   std::priority_queue<Entry> queue_;
   std::uint64_t order_ = 0;
   std::vector<std::optional<Vertex>> apexes_;  // by node: what its edge would grow

@@ -176,6 +176,35 @@ TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
   EXPECT_EQ(facts.open_edges, 0U);
 }
 
+TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
+  // A ball, and grains of two voxels within a voxel or two of it, on edges longer than the grains.
+  Volume v;
+  v.lattice.size = {40, 24, 24};
+  v.samples.resize(v.lattice.nodes());
+  for (int k = 0; k < 24; ++k) {
+    for (int j = 0; j < 24; ++j) {
+      for (int i = 0; i < 40; ++i) {
+        const Eigen::Vector3d x(i, j, k);
+        const double ball = 9.0 - (x - Eigen::Vector3d(12.1, 12.2, 11.9)).norm();
+        double f = ball;
+        for (const double side : {-3.5, 0.0, 3.5}) {
+          f = std::max(f, 0.9 - (x - Eigen::Vector3d(23.0, 12.0 + side, 12.0)).norm());
+        }
+        v.at(i, j, k) = static_cast<float>(std::max(f, -3.0));
+      }
+    }
+  }
+  const Isosurface surface(v, 0.0, Inside::above, Kernel::interpolating_bspline);
+  Monitor monitor;
+  const TriangleMesh mesh = mesh_of(surface, uniform(4.0), monitor);
+  const MeshFacts facts = mesh_facts(mesh);
+  EXPECT_EQ(facts.components, 4U);
+  EXPECT_EQ(facts.euler, 8);
+  EXPECT_EQ(facts.open_edges, 0U);
+  EXPECT_EQ(monitor.counters().at("advancing-front/lost components"), 0.0);
+  expect_counts_to_add_up(monitor, mesh);
+}
+
 TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
   // A hollow ball whose shell is so thin that the lattice sees holes in it: marching cubes has one component where
   // F = c has two, as in the bone of a skull.

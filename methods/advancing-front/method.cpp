@@ -38,51 +38,53 @@ class Mesher {
       : task_(task), step_(std::move(step)), front_(finest), monitor_(monitor) {}
 
   TriangleMesh mesh() {
+    lattice_mesh_ = marching_cubes(task_.surface, monitor_);
+    if (leaves_lattice()) {
+      throw Skipped(
+          "advancing-front: the object leaves the volume, where a front has no rim to stop at; close it there");
+    }
+    components_ = components_of(lattice_mesh_);
     start_and_advance();
     close();
+    take_over(front_);
+    mesh_what_was_missed();
     book(counts_, monitor_);
-    TriangleMesh result;
-    result.triangles = front_.triangles();
-    for (const Vertex& v : front_.vertices()) result.vertices.push_back(v.x);
-    drop_unused_vertices(result);
-    if (result.triangles.empty()) throw Skipped("advancing-front: no front could be started anywhere on the surface");
-    return result;
+    drop_unused_vertices(result_);
+    if (result_.triangles.empty()) throw Skipped("advancing-front: no front could be started anywhere on the surface");
+    return std::move(result_);
   }
 
  private:
   void start_and_advance() {
     const auto stage = monitor_.stage("fronts");
-    const TriangleMesh lattice_mesh = marching_cubes(task_.surface, monitor_);
-    if (leaves_lattice(lattice_mesh)) {
-      throw Skipped(
-          "advancing-front: the object leaves the volume, where a front has no rim to stop at; close it there");
-    }
     std::size_t reached = 0;
-    for (const Component& component : components_of(lattice_mesh)) {
+    for (const Component& component : components_) {
       // A component must be a few edges round, whatever the sizing says.
-      const Step step = [this, most = 0.4 * component.diagonal](const Eigen::Vector3d& x) {
-        return std::min(step_(x), most);
-      };
-      start_on(lattice_mesh, component, step);
+      start_on(component, step_on(component, 0.4));
       reached += component.vertices.size();
-      monitor_.progress(static_cast<double>(reached) / static_cast<double>(lattice_mesh.vertices.size()));
+      monitor_.progress(static_cast<double>(reached) / static_cast<double>(lattice_mesh_.vertices.size()));
     }
   }
 
-  bool leaves_lattice(const TriangleMesh& lattice_mesh) const {
-    return std::any_of(lattice_mesh.vertices.begin(), lattice_mesh.vertices.end(), [&](const Eigen::Vector3d& x) {
+  bool leaves_lattice() const {
+    return std::any_of(lattice_mesh_.vertices.begin(), lattice_mesh_.vertices.end(), [&](const Eigen::Vector3d& x) {
       return (x.array() <= 0.0).any() || (x.array() >= task_.surface.extent().array()).any();
     });
   }
 
+  /// The step, but at most this share of the component's diagonal.
+  Step step_on(const Component& component, double share) const {
+    return [this, most = share * component.diagonal()](const Eigen::Vector3d& x) { return std::min(step_(x), most); };
+  }
+
   /// One front from a point that is likely to be good, then one wherever the component, which the lattice may have
   /// joined from several, is still bare.
-  void start_on(const TriangleMesh& lattice_mesh, const Component& component, const Step& step) {
-    for (const Eigen::Vector3d& point : starting_points(lattice_mesh, component, step, task_.seed)) {
+  void start_on(const Component& component, const Step& step) {
+    for (const Eigen::Vector3d& point : starting_points(lattice_mesh_, component, step, task_.seed)) {
       if (is_bare(point, step) && start_at(point, step)) break;
     }
     for (const std::uint32_t n : component.vertices) {
-      const Eigen::Vector3d& point = lattice_mesh.vertices[n];
+      const Eigen::Vector3d& point = lattice_mesh_.vertices[n];
       if (!is_bare(point, step)) continue;
       const std::size_t triangles = front_.triangles().size(), vertices = front_.vertices().size();
       const Counts before = counts_;
@@ -108,7 +110,7 @@ class Mesher {
     const auto corners = seed_triangle(task_.surface, step, point, task_.seed);
     if (!corners) return false;
     ++counts_.seed;
-    Advance advance(task_.surface, step, front_, counts_);
+    Advance advance(task_.surface, step, front_, counts_, {Eigen::Vector3d::Zero(), task_.surface.extent()});
     advance.add_loop(front_.seed(*corners));
     advance.run(monitor_);
     return true;
@@ -132,9 +134,70 @@ class Mesher {
                  static_cast<double>(std::count_if(holes.begin(), holes.end(), [](auto& h) { return !h.closed; })));
   }
 
+  void take_over(const Front& front) {
+    const auto first = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.insert(vertices_.end(), front.vertices().begin(), front.vertices().end());
+    for (const Vertex& v : front.vertices()) result_.vertices.push_back(v.x);
+    for (const auto& [a, b, c] : front.triangles()) result_.triangles.push_back({first + a, first + b, first + c});
+  }
+
+  /// A component beside a larger one may look meshed to the fronts on that one, and be in their way.
+  void mesh_what_was_missed() {
+    const auto stage = monitor_.stage("missed");
+    std::vector<char> used(vertices_.size(), 0);
+    for (const Triangle& t : result_.triangles) {
+      for (const std::uint32_t corner : t) used[corner] = 1;
+    }
+    std::vector<Vertex> standing;
+    for (std::size_t n = 0; n < vertices_.size(); ++n) {
+      if (used[n] != 0) standing.push_back(vertices_[n]);
+    }
+    std::size_t lost = 0, alone = 0;
+    for (const Component& component : components_without(task_.surface, lattice_mesh_, components_, standing)) {
+      if (mesh_alone(component)) {
+        ++alone;
+        continue;
+      }
+      ++lost;
+      monitor_.note(fmt::format("advancing-front: a component {:.3f} mm across is not meshed at {}",
+                                component.diagonal(), place(component.box.center())));
+    }
+    monitor_.set("advancing-front/components alone", static_cast<double>(alone));
+    monitor_.set("advancing-front/lost components", static_cast<double>(lost));
+  }
+
+  /// By a front of its own, which no other is in the way of; kept if it closes without leaving the component's box.
+  bool mesh_alone(const Component& component) {
+    Eigen::AlignedBox3d bounds = component.box;
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(task_.surface.voxel());
+    bounds.extend(component.box.min() - margin).extend(component.box.max() + margin);
+    for (const double share : {0.4, 0.25, 0.15}) {
+      const Step step = step_on(component, share);
+      for (const Eigen::Vector3d& point : starting_points(lattice_mesh_, component, step, task_.seed)) {
+        const auto corners = seed_triangle(task_.surface, step, point, task_.seed);
+        if (!corners) continue;
+        Front front((*corners)[0].step);
+        Counts counts = counts_;
+        ++counts.seed;
+        Advance advance(task_.surface, step, front, counts, bounds);
+        advance.add_loop(front.seed(*corners));
+        advance.run(monitor_);
+        if (advance.strayed() || front.alive() > 0) continue;
+        counts_ = counts;
+        take_over(front);
+        return true;
+      }
+    }
+    return false;
+  }
+
   const MeshingTask& task_;
   Step step_;
+  TriangleMesh lattice_mesh_;
+  std::vector<Component> components_;
   Front front_;
+  std::vector<Vertex> vertices_;
+  TriangleMesh result_;
   Counts counts_;
   std::size_t bare_places_ = 0;
   Monitor& monitor_;
@@ -170,7 +233,7 @@ Method method_advancing_front() {
   method.summary =
       "Triangles grown one by one from the rim of what is meshed, their new vertices turned onto F = c "
       "(after Schreiner, Scheidegger, Silva 2006; fronts are joined with more care for the angles that remain)";
-  method.revision = 1;
+  method.revision = 2;
   method.parameters = {
       {"guidance",
        std::string("shared"),

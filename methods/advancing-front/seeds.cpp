@@ -9,6 +9,7 @@
 
 #include "methods/advancing-front/fences.h"
 #include "methods/particles/random.h"
+#include "methods/sizing/point_tree.h"
 
 namespace isobench::advancing_front {
 
@@ -24,16 +25,32 @@ std::vector<Component> components_of(const TriangleMesh& mesh) {
     components[number[roots[n]]].vertices.push_back(n);
   }
   for (Component& component : components) {
-    Eigen::Vector3d low = mesh.vertices[component.vertices.front()], high = low;
-    for (const std::uint32_t n : component.vertices) {
-      low = low.cwiseMin(mesh.vertices[n]);
-      high = high.cwiseMax(mesh.vertices[n]);
-    }
-    component.diagonal = (high - low).norm();
+    for (const std::uint32_t n : component.vertices) component.box.extend(mesh.vertices[n]);
   }
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.vertices.size() > b.vertices.size(); });
   return components;
+}
+
+std::vector<Component> components_without(const Isosurface& surface, const TriangleMesh& mesh,
+                                          const std::vector<Component>& components,
+                                          const std::vector<Vertex>& vertices) {
+  std::vector<std::size_t> number(mesh.vertices.size());
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    for (const std::uint32_t n : components[c].vertices) number[n] = c;
+  }
+  const PointTree tree(mesh.vertices);
+  std::vector<char> met(components.size(), 0);
+  for (const Vertex& vertex : vertices) {
+    const std::size_t nearest = tree.nearest(vertex.x).first;
+    const Eigen::Vector3d normal = outward_normal(surface.value_gradient(mesh.vertices[nearest]).gradient);
+    if (normal.dot(vertex.normal) > 0.0) met[number[nearest]] = 1;
+  }
+  std::vector<Component> bare;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    if (met[c] == 0) bare.push_back(components[c]);
+  }
+  return bare;
 }
 
 std::vector<Eigen::Vector3d> starting_points(const TriangleMesh& mesh, const Component& component, const Step& step,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -15,11 +16,18 @@ namespace isobench::advancing_front {
 
 struct Component {
   std::vector<std::uint32_t> vertices;  ///< of the lattice's mesh, ascending
-  double diagonal = 0.0;                ///< mm, of its bounding box
+  Eigen::AlignedBox3d box;              ///< mm
+  double diagonal() const { return box.diagonal().norm(); }
 };
 
 /// The components of a mesh, largest first.
 std::vector<Component> components_of(const TriangleMesh& mesh);
+
+/// Those of the components on which no vertex of the others stands: a vertex stands on the component of the lattice
+/// vertex nearest to it, unless their normals are opposed (another sheet, close by).
+std::vector<Component> components_without(const Isosurface& surface, const TriangleMesh& mesh,
+                                          const std::vector<Component>& components,
+                                          const std::vector<Vertex>& vertices);
 
 /// Places to start from on a component, in the order to try them: a few of its vertices drawn at random, those with the
 /// longest step first, because growing smaller is safer than growing larger.

@@ -22,7 +22,33 @@ TEST(AdvancingFrontSeeds, ComponentsAreLargestFirstAndHaveEveryVertexOnce) {
   ASSERT_EQ(components.size(), 2U);
   EXPECT_EQ(components[0].vertices, (std::vector<std::uint32_t>{3, 4, 5, 6}));
   EXPECT_EQ(components[1].vertices, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_NEAR(components[1].diagonal, std::hypot(2.0, 1.0), 1e-12);
+  EXPECT_NEAR(components[1].diagonal(), std::hypot(2.0, 1.0), 1e-12);
+}
+
+// Two balls a little apart: vertices on the one do not stand on the other, though they are near to it where the two
+// face each other.
+TEST(AdvancingFrontSeeds, ComponentsWithoutAVertexAreFound) {
+  const Isosurface surface(sample_phantom(phantom("near-spheres"), 96), 0.0);
+  Monitor monitor;
+  const TriangleMesh mesh = marching_cubes(surface, monitor);
+  const auto components = components_of(mesh);
+  ASSERT_EQ(components.size(), 2U);
+  const Step step = [](const Eigen::Vector3d&) { return 1.0; };
+  std::vector<Vertex> on_first;
+  for (const std::uint32_t n : components[0].vertices) {
+    on_first.push_back(make_vertex(surface, step, mesh.vertices[n]));
+  }
+  EXPECT_TRUE(components_without(surface, mesh, {components[0]}, on_first).empty());
+  const auto bare = components_without(surface, mesh, components, on_first);
+  ASSERT_EQ(bare.size(), 1U);
+  EXPECT_EQ(bare[0].vertices, components[1].vertices);
+  // A vertex pushed across the gap is nearest to the other ball but faces it.
+  Vertex facing = on_first.front();
+  facing.x = mesh.vertices[components[1].vertices.front()];
+  facing.normal = -make_vertex(surface, step, facing.x).normal;
+  EXPECT_EQ(components_without(surface, mesh, components, {facing}).size(), 2U);
+  facing.normal = -facing.normal;
+  EXPECT_EQ(components_without(surface, mesh, components, {facing}).size(), 1U);
 }
 
 TEST(AdvancingFrontSeeds, StartWhereStepsAreLong) {

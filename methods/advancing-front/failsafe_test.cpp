@@ -1,0 +1,79 @@
+#include "methods/advancing-front/failsafe.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace isobench::advancing_front {
+namespace {
+
+/// The plane z = 3.5, object below.
+Isosurface plane() {
+  Volume v;
+  v.lattice.size = {12, 12, 8};
+  v.samples.resize(v.lattice.nodes());
+  for (int k = 0; k < 8; ++k) {
+    for (int j = 0; j < 12; ++j) {
+      for (int i = 0; i < 12; ++i) v.at(i, j, k) = 3.5F - static_cast<float>(k);
+    }
+  }
+  return Isosurface(std::move(v), 0.0);
+}
+
+Vertex at(double x, double y) { return {{x, y, 3.5}, {0.0, 0.0, 1.0}, 1.0}; }
+
+/// Signed, seen from outside.
+double area(const Front& front) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : front.triangles()) {
+    const Eigen::Vector3d& x = front.vertices()[a].x;
+    sum += 0.5 * (front.vertices()[b].x - x).cross(front.vertices()[c].x - x)[2];
+  }
+  return sum;
+}
+
+TEST(AdvancingFrontFailsafe, CutsTheSharpestCornerFirst) {
+  Front front(0.1);
+  // A kite: the corner at (6, 2) is the sharpest, and cut off; a cut through it would leave two slivers.
+  front.boundary({at(6, 2), at(7, 7), at(6, 8), at(5, 7)});
+  const auto holes = close_holes(plane(), front);
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_EQ(holes[0].edges, 4U);
+  EXPECT_EQ(holes[0].triangles, 2U);
+  EXPECT_TRUE(holes[0].closed);
+  EXPECT_LT((holes[0].centre - Eigen::Vector3d(6, 6, 3.5)).norm(), 1e-12);
+  EXPECT_EQ(front.alive(), 0U);
+  ASSERT_EQ(front.triangles().size(), 2U);
+  Triangle first = front.triangles()[0];
+  std::sort(first.begin(), first.end());
+  EXPECT_EQ(first, (Triangle{0, 1, 3}));
+  EXPECT_NEAR(area(front), 6.0, 1e-12);
+}
+
+// Cutting by angle alone may fold a triangle over at a reflex corner, as published; the hole is filled all the same:
+// signed areas add up.
+TEST(AdvancingFrontFailsafe, FillsAHoleWithAReflexCorner) {
+  Front front(0.1);
+  front.boundary({at(2, 2), at(8, 2), at(8, 4), at(4, 4), at(4, 8), at(2, 8)});
+  const auto holes = close_holes(plane(), front);
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_EQ(holes[0].edges, 6U);
+  EXPECT_EQ(holes[0].triangles, 4U);
+  EXPECT_NEAR(area(front), 20.0, 1e-12);
+  EXPECT_EQ(front.alive(), 0U);
+}
+
+TEST(AdvancingFrontFailsafe, ClosesEveryLoop) {
+  Front front(0.1);
+  front.boundary({at(1, 1), at(2, 1), at(1, 2)});
+  front.boundary({at(5, 5), at(7, 5), at(7, 7), at(5, 7)});
+  const auto holes = close_holes(plane(), front);
+  ASSERT_EQ(holes.size(), 2U);
+  EXPECT_EQ(holes[0].triangles + holes[1].triangles, 3U);
+  EXPECT_EQ(front.alive(), 0U);
+  EXPECT_TRUE(close_holes(plane(), front).empty());
+}
+
+}  // namespace
+}  // namespace isobench::advancing_front

@@ -1,0 +1,146 @@
+#include "methods/method.h"
+
+#include <cmath>
+#include <limits>
+
+#include "methods/cvt/optimise.h"
+#include "methods/labelled_delaunay.h"
+#include "methods/marching-cubes/marching_cubes.h"
+#include "methods/particles/cure.h"
+#include "methods/particles/seeds.h"
+
+namespace isobench {
+namespace {
+
+using namespace cvt;
+
+void book(const particles::Cure& cured, Monitor& monitor) {
+  monitor.set("cvt/pinched", static_cast<double>(cured.after.pinched));
+  monitor.set("cvt/tilted", static_cast<double>(cured.after.tilted));
+  monitor.set("cvt/crossed", static_cast<double>(cured.after.crossed));
+  monitor.set("cvt/lost components", static_cast<double>(cured.after.lost));
+  monitor.add("cvt/inserted", static_cast<double>(cured.inserted));
+  monitor.add("cvt/labels changed", static_cast<double>(cured.flipped));
+}
+
+class Mesher {
+ public:
+  Mesher(const MeshingTask& task, const particles::Spacing& spacing, Monitor& monitor)
+      : task_(task), spacing_(spacing), sizes_(spacing), monitor_(monitor) {}
+
+  TriangleMesh mesh() {
+    seed();
+    std::vector<Triangle> triangles = close();
+    optimise({task_.parameters.integer("lloyd"), task_.parameters.integer("quasi_newton")}, std::move(triangles));
+    std::size_t sites = sites_.size();
+    triangles = close();
+    // Sites that were added are too few again once they are evened out, unless the sizing keeps them.
+    const int rounds = task_.parameters.integer("rounds");
+    int round = 0;
+    for (; round < rounds && sites_.size() > sites; ++round) {
+      sizes_.refine({sites_.points.begin() + static_cast<std::ptrdiff_t>(sites), sites_.points.end()});
+      constexpr Iterations again{3, 20};
+      optimise(again, std::move(triangles));
+      sites = sites_.size();
+      triangles = close();
+    }
+    monitor_.set("cvt/rounds", round);
+    TriangleMesh result;
+    result.triangles = std::move(triangles);
+    result.vertices = std::move(sites_.points);
+    monitor_.set("cvt/unused", static_cast<double>(drop_unused_vertices(result)));
+    if (result.triangles.empty()) throw Skipped("cvt: the sites are too few or too far apart to show the surface");
+    return result;
+  }
+
+ private:
+  void seed() {
+    const auto stage = monitor_.stage("seeds");
+    lattice_mesh_ = marching_cubes(task_.surface, monitor_);
+    const double ideal = task_.sizing.vertices.value_or(particles::ideal_count(lattice_mesh_, spacing_));
+    sites_ = particles::make_particles(
+        task_.surface, spacing_,
+        particles::eliminate_to_seeds(task_.surface, lattice_mesh_, spacing_,
+                                      static_cast<std::size_t>(std::llround(ideal)),
+                                      task_.parameters.number("candidates"), task_.seed, monitor_));
+    monitor_.set("cvt/seeds", static_cast<double>(sites_.size()));
+  }
+
+  void optimise(const Iterations& iterations, std::vector<Triangle> triangles) {
+    const auto stage = monitor_.stage("optimisation");
+    DelaunayMesh mesh(std::move(triangles), sites_.size());
+    const Optimised done = cvt::optimise(task_.surface, sizes_, sites_, mesh, iterations, monitor_);
+    monitor_.add("cvt/lloyd iterations", done.lloyd);
+    monitor_.add("cvt/quasi-newton iterations", done.quasi_newton);
+    monitor_.add("cvt/shortened steps", static_cast<double>(done.shortened));
+    monitor_.add("cvt/flips", static_cast<double>(done.flips));
+    monitor_.set("cvt/energy", done.energy);
+  }
+
+  /// The labelled Delaunay triangulation of the sites, and of more where they are too few.
+  std::vector<Triangle> close() {
+    const auto stage = monitor_.stage("triangulation");
+    LabelledDelaunay delaunay(sites_.points, task_.surface, monitor_);
+    book(particles::cure(task_.surface, spacing_, lattice_mesh_, sites_, delaunay, task_.parameters.integer("cure"),
+                         monitor_),
+         monitor_);
+    return delaunay.triangles();
+  }
+
+  const MeshingTask& task_;
+  const particles::Spacing& spacing_;
+  Sizes sizes_;
+  Monitor& monitor_;
+  TriangleMesh lattice_mesh_;
+  particles::Particles sites_;
+};
+
+TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
+  const auto field = task.sizing_field(monitor);
+  const particles::Spacing spacing{*field, task.sizing.uniform() ? 1.0 : task.parameters.number("contraction")};
+  return Mesher(task, spacing, monitor).mesh();
+}
+
+}  // namespace
+
+Method method_cvt() {
+  Method method;
+  method.name = "cvt";
+  method.summary =
+      "Centroidal Voronoi tessellation of F = c with density 1/h^4, by Lloyd's iterations and L-BFGS, closed by a "
+      "sign-labelled Delaunay triangulation (Du, Faber, Gunzburger 1999; Liu, Wang, Levy et al. 2009)";
+  method.revision = 1;
+  method.parameters = {
+      {"contraction",
+       1.5,
+       "",
+       "g: adaptive spacing is h/g, as the particles have it, so that methods compare at equal sizing",
+       1.0,
+       4.0,
+       {},
+       false},
+      {"candidates", 4.0, "per site", "of the seeds: random candidates that they are left from", 2.0, 20.0, {}, false},
+      {"lloyd", 10.0, "", "Lloyd's iterations, at most", 0.0, 10000.0, {}, true},
+      {"quasi_newton", 60.0, "", "iterations of L-BFGS after them, at most", 0.0, 10000.0, {}, true},
+      {"rounds",
+       8.0,
+       "",
+       "of making h smaller around the sites that the cure adds at the end and iterating again, at most",
+       0.0,
+       100.0,
+       {},
+       true},
+      {"cure",
+       20.0,
+       "",
+       "rounds, at most, in which sites are added where the triangulation's topology is not the surface's",
+       0.0,
+       100.0,
+       {},
+       true},
+  };
+  method.mesh = mesh;
+  return method;
+}
+
+}  // namespace isobench
