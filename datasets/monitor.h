@@ -82,15 +82,13 @@ class Monitor {
     if (keeps_artefacts_) booked_.artefacts[name] = std::move(artefact);
   }
 
-  /// The folder that the run leaves behind, where there is one: a place for files of a computation, such as the log of a
-  /// program that it runs. Scratch folders in it begin with a dot. Empty: there is none.
+  /// The folder that the run leaves behind, where there is one: a place for files of a computation, such as the log of
+  /// a program that it runs. Scratch folders in it begin with a dot. Empty: there is none.
   void keep_files_in(const std::filesystem::path& folder) { files_ = folder; }
   const std::filesystem::path& files() const { return files_; }
 
   /// The memory that a program that was run for this computation took at its peak, MB (10⁶ bytes); of several the most.
-  void book_program_memory(double peak_mb) {
-    booked_.program_memory_mb = std::max(booked_.program_memory_mb, peak_mb);
-  }
+  void book_program_memory(double peak_mb) { booked_.program_memory_mb = std::max(booked_.program_memory_mb, peak_mb); }
   double program_memory_mb() const { return booked_.program_memory_mb; }
 
   /// All that has been booked so far, for the record.
