@@ -1,5 +1,7 @@
 #include "datasets/monitor.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <ctime>
 
@@ -9,10 +11,17 @@ namespace isobench {
 
 namespace {
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 double process_cpu_seconds() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  rusage programs{};
+  getrusage(RUSAGE_CHILDREN, &programs);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec) + seconds_of(programs.ru_utime) +
+         seconds_of(programs.ru_stime);
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -23,7 +25,7 @@ class ProgressSink {
 struct StageTime {
   std::string name;           ///< nested stages read "outer/inner"
   double wall_seconds = 0.0;  ///< summed over all visits
-  double cpu_seconds = 0.0;   ///< of the whole process, all threads
+  double cpu_seconds = 0.0;   ///< of the whole process, all threads, and of programs that it ran to their end
 };
 
 /// Points with data, for someone to look at: an intermediate result that a run leaves behind where it is asked to.
@@ -80,6 +82,15 @@ class Monitor {
     if (keeps_artefacts_) booked_.artefacts[name] = std::move(artefact);
   }
 
+  /// The folder that the run leaves behind, where there is one: a place for files of a computation, such as the log of
+  /// a program that it runs. Scratch folders in it begin with a dot. Empty: there is none.
+  void keep_files_in(const std::filesystem::path& folder) { files_ = folder; }
+  const std::filesystem::path& files() const { return files_; }
+
+  /// The memory that a program that was run for this computation took at its peak, MB (10⁶ bytes); of several the most.
+  void book_program_memory(double peak_mb) { booked_.program_memory_mb = std::max(booked_.program_memory_mb, peak_mb); }
+  double program_memory_mb() const { return booked_.program_memory_mb; }
+
   /// All that has been booked so far, for the record.
   struct Bookings {
     std::vector<StageTime> stages;
@@ -87,6 +98,7 @@ class Monitor {
     std::map<std::string, std::vector<double>> traces;
     std::vector<std::string> notes;
     std::map<std::string, Artefact> artefacts;
+    double program_memory_mb = 0.0;
   };
   const Bookings& bookings() const { return booked_; }
   /// Puts earlier bookings in the place of the present ones, as if what happened since had not: for an attempt that is
@@ -108,6 +120,7 @@ class Monitor {
   std::atomic<bool> cancelled_{false};
   std::string current_;
   bool keeps_artefacts_ = false;
+  std::filesystem::path files_;
   Bookings booked_;
 };
 

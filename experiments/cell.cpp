@@ -1,8 +1,11 @@
 #include "experiments/cell.h"
 
-#include <fstream>
+#include <unistd.h>
+
+#include <algorithm>
 #include <new>
 
+#include "datasets/processes.h"
 #include "experiments/fault.h"
 #include "experiments/matching.h"
 #include "methods/mesh_checksum.h"
@@ -63,7 +66,7 @@ TriangleMesh mesh_matched(const Dataset& dataset, const RunRequest& request, dou
     if (match.best() + 1 < match.tries()) continue;
     nearest = std::move(attempt);
     of_nearest = monitor.bookings();
-    record.peak_memory_mb = peak_memory_mb();
+    record.peak_memory_mb = std::max(peak_memory_mb(), monitor.program_memory_mb());
   }
   monitor.restore(std::move(of_nearest));
   record.match = MatchRecord{vertices, match.best_scale(), static_cast<int>(match.tries()), match.reason()};
@@ -89,11 +92,7 @@ TriangleMesh load_and_mesh(const RunRequest& request, std::optional<double> matc
 
 double peak_memory_mb() {
   // Not getrusage: that counts what the parent had before exec, this starts with the program.
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024.0 / 1e6;
-  }
-  return 0.0;
+  return peak_resident_bytes(getpid()) / 1e6;
 }
 
 DatasetRecord describe(const Dataset& dataset) {
@@ -130,7 +129,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     result = mesh_matched(dataset, request, *match_vertices, monitor, record);
   } else {
     result = mesh(task, request, monitor);
-    record.peak_memory_mb = peak_memory_mb();
+    record.peak_memory_mb = std::max(peak_memory_mb(), monitor.program_memory_mb());
   }
   monitor.keep_artefacts(false);  // what follows is for the measurement
   const Monitor::Stage stage = monitor.stage("measure");
@@ -146,6 +145,7 @@ CellResult run_cell(const RunRequest& request, std::optional<double> match_verti
   RunRecord& record = result.record;
   try {
     monitor.keep_artefacts(request.artefacts);
+    monitor.keep_files_in(folder);
     const TriangleMesh mesh = load_and_mesh(request, match_vertices, monitor, record);
     write_mesh(mesh, folder / "mesh.vtp");
     write_artefacts(monitor.artefacts(), record.dataset->lattice, folder);

@@ -8,9 +8,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 
 #include "datasets/error.h"
+#include "datasets/processes.h"
 
 namespace isobench {
 
@@ -60,6 +60,7 @@ Child::Child(std::vector<std::string> arguments, const std::filesystem::path& lo
     throw Error(std::string("no child process: ") + std::strerror(error));
   }
   setpgid(pid_, pid_);  // in both, so that whoever comes first does it
+  memory_.emplace(pid_);
 }
 
 Child::Child(Child&& other) noexcept
@@ -67,6 +68,7 @@ Child::Child(Child&& other) noexcept
       pipe_(other.pipe_),
       buffer_(std::move(other.buffer_)),
       progress_(std::move(other.progress_)),
+      memory_(std::move(other.memory_)),
       start_(other.start_) {
   other.pid_ = -1;
   other.pipe_ = -1;
@@ -94,6 +96,9 @@ std::optional<ChildExit> Child::poll() {
 
 void Child::kill() {
   if (pid_ < 0) return;
+  // First those that it started, of which some may have left its group; stopped, it starts no more.
+  ::kill(pid_, SIGSTOP);
+  kill_descendants(pid_);
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
   while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
@@ -105,14 +110,7 @@ double Child::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-double Child::peak_memory_gb() const {
-  if (pid_ < 0) return 0.0;
-  std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024.0 / 1e9;
-  }
-  return 0.0;
-}
+double Child::peak_memory_gb() { return pid_ < 0 ? 0.0 : memory_->look() / 1e9; }
 
 const ChildProgress& Child::progress() {
   char bytes[4096];
@@ -129,13 +127,6 @@ const ChildProgress& Child::progress() {
   const std::size_t space = line.find(' ');
   if (space != std::string::npos) progress_ = {line.substr(space + 1), std::strtod(line.c_str(), nullptr)};
   return progress_;
-}
-
-std::string signal_name(int signal) {
-  const char* abbreviation = sigabbrev_np(signal);
-  const char* description = sigdescr_np(signal);
-  if (abbreviation == nullptr) return "signal " + std::to_string(signal);
-  return std::string("SIG") + abbreviation + (description == nullptr ? "" : std::string(" (") + description + ")");
 }
 
 }  // namespace isobench

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "datasets/processes.h"
+
 namespace isobench {
 
 /// How a child ended.
@@ -36,10 +38,11 @@ class Child {
 
   /// The exit of a child that has ended; reaps it. Does not wait.
   std::optional<ChildExit> poll();
-  /// SIGKILL to its whole process group, and waits for it.
+  /// SIGKILL to it, its whole process group and all that it started, and waits for it.
   void kill();
-  double seconds() const;         ///< since it was started, wall
-  double peak_memory_gb() const;  ///< of resident memory so far, 10⁹ bytes; 0 once it has ended
+  double seconds() const;  ///< since it was started, wall
+  /// Of resident memory so far, its own and that of what it started, 10⁹ bytes; 0 once it has ended.
+  double peak_memory_gb();
   const ChildProgress& progress();
 
  private:
@@ -47,10 +50,8 @@ class Child {
   int pipe_ = -1;
   std::string buffer_;
   ChildProgress progress_;
+  std::optional<MemoryWatch> memory_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-/// "SIGSEGV (segmentation fault)" and the like.
-std::string signal_name(int signal);
 
 }  // namespace isobench

@@ -53,6 +53,10 @@ void check_line(const TomlValue& value, const std::string& what, std::size_t lon
   }
 }
 
+std::string missing(const Method& found, const ParameterSpec& spec) {
+  return fmt::format("{} needs '{}', {}", found.name, spec.name, spec.description);
+}
+
 MethodEntry read_method(const TomlValue& table) {
   const TomlValue name = table.require("name");
   const Method& found = method(name.as_string(), name.place());
@@ -78,6 +82,9 @@ MethodEntry read_method(const TomlValue& table) {
       checked.set(found.parameters, spec.name, parameter_value(element), element.place());
       entry.parameters[spec.name].push_back(checked.all().at(spec.name));
     }
+  }
+  for (const ParameterSpec& spec : found.parameters) {
+    if (spec.required && !entry.parameters.contains(spec.name)) throw UsageError(table.place(), missing(found, spec));
   }
   return entry;
 }

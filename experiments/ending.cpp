@@ -6,6 +6,7 @@
 #include <deque>
 #include <fstream>
 
+#include "datasets/processes.h"
 #include "experiments/cell.h"
 #include "experiments/plan.h"
 
@@ -78,7 +79,7 @@ EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double
   return {failure(request, Status::failed, reason, seconds), false};
 }
 
-std::optional<RunRecord> beyond_limits(const RunRequest& request, const Child& child) {
+std::optional<RunRecord> beyond_limits(const RunRequest& request, Child& child) {
   const double seconds = child.seconds();
   if (request.limit_minutes && seconds > 60.0 * *request.limit_minutes) {
     return failure(request, Status::timeout, fmt::format("not finished after {} minutes", *request.limit_minutes),

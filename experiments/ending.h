@@ -21,6 +21,6 @@ EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double
 
 /// Of a child that is beyond its limit of minutes or memory and has to be stopped; std::nullopt where it is within
 /// both.
-std::optional<RunRecord> beyond_limits(const RunRequest& request, const Child& child);
+std::optional<RunRecord> beyond_limits(const RunRequest& request, Child& child);
 
 }  // namespace isobench

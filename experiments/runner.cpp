@@ -45,6 +45,15 @@ class SignalGuard {
   std::array<struct sigaction, 3> before_{};
 };
 
+// What a run that was stopped had no time to take away itself.
+void remove_scratch(const fs::path& folder) {
+  std::vector<fs::path> scratch;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with(".")) scratch.push_back(entry.path());
+  }
+  for (const fs::path& path : scratch) fs::remove_all(path);
+}
+
 // A cell that is still to be looked at.
 struct Pending {
   const RunRequest* request = nullptr;
@@ -244,6 +253,7 @@ class Runner {
       // Whatever there is of them may be half of one.
       fs::remove_all(active.claim.folder() / "mesh.vtp");
       fs::remove_all(active.claim.folder() / "run.json");
+      remove_scratch(active.claim.folder());
       write_record(record, active.claim.folder() / "run.json");
     }
     fs::remove(active.claim.folder() / own_plan);

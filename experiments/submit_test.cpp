@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const two_spheres =
-    "title = \"Two\"\ndataset = [\"sphere\"]\nseed = [1, 2, 3, 4, 5, 6]\n[sampling]\nedge_length = 6\n[[method]]\n"
-    "name = \"marching-cubes\"\n[[method]]\nname = \"particles\"\nmatch = \"vertices\"\nmatch_to = "
-    "\"marching-cubes\"\n[limits]\nminutes = 3\nmemory_gb = 2\n";
+    "title = \"Two\"\nmatch = \"vertices\"\nmatch_to = \"marching-cubes\"\ndataset = [\"sphere\"]\nseed = [1, 2, 3, 4, "
+    "5, "
+    "6]\n[sampling]\nedge_length = 6\n[[method]]\n"
+    "name = \"marching-cubes\"\n[[method]]\nname = \"particles\"\n[limits]\nminutes = 3\nmemory_gb = 2\n";
 
 /// sbatch and its like, as scripts: sbatch writes down its words and says a number.
 class FakeSlurm {

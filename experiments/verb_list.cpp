@@ -44,8 +44,9 @@ void list_all_methods() {
     fmt::print("{:16} {} (revision {}{})\n", method.name, method.summary, method.revision,
                method.deterministic ? "" : "; not deterministic");
     for (const ParameterSpec& spec : method.parameters) {
-      fmt::print("  {:14} {}: {}; default {}{}\n", spec.name, spec.description, range(spec),
-                 to_string(spec.default_value), spec.unit.empty() ? "" : " " + spec.unit);
+      const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
+      const std::string otherwise = spec.required ? "must be given" : "default " + to_string(spec.default_value) + unit;
+      fmt::print("  {:14} {}: {}; {}\n", spec.name, spec.description, range(spec), otherwise);
     }
   }
 }

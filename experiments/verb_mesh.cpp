@@ -47,6 +47,10 @@ RunRequest request_of(const MeshArguments& arguments) {
     if (equals == std::string::npos) throw UsageError("--set " + setting + ": expected key=value");
     parameters.set_text(chosen.parameters, setting.substr(0, equals), setting.substr(equals + 1));
   }
+  for (const ParameterSpec& spec : chosen.parameters) {
+    if (!spec.required || parameters.all().at(spec.name) != spec.default_value) continue;
+    throw UsageError(fmt::format("{} needs --set {}=…, {}", chosen.name, spec.name, spec.description));
+  }
   RunRequest request;
   request.dataset = arguments.dataset;
   request.method = chosen.name;
@@ -93,6 +97,7 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   ConsoleSink sink(console);
   Monitor monitor(&sink);
   monitor.keep_artefacts(!arguments.artefacts.empty());
+  monitor.keep_files_in(arguments.artefacts);
   RunRecord record;
   record.request = request;
   const Dataset dataset = load(arguments, monitor);

@@ -52,7 +52,12 @@ void check(const ParameterSpec& spec, const ParameterValue& value, const Place& 
     throw UsageError(place, fmt::format("'{}' must be {}, not {}", spec.name, range_in_words(spec), *number));
   }
   const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr || spec.choices.empty()) return;
+  if (text == nullptr) return;
+  if (spec.problem != nullptr) {
+    const std::string problem = spec.problem(*text);
+    if (!problem.empty()) throw UsageError(place, fmt::format("'{}': {}", spec.name, problem));
+  }
+  if (spec.choices.empty()) return;
   if (std::find(spec.choices.begin(), spec.choices.end(), *text) != spec.choices.end()) return;
   throw UsageError(place, fmt::format("'{}' cannot be '{}'{}", spec.name, *text, suggestion(*text, spec.choices)));
 }
@@ -88,7 +93,12 @@ std::string to_string(const ParameterValue& value) {
 }
 
 Parameters::Parameters(const ParameterSchema& schema) {
-  for (const ParameterSpec& spec : schema) set(schema, spec.name, spec.default_value);
+  for (const ParameterSpec& spec : schema) {
+    if (spec.required)
+      values_[spec.name] = spec.default_value;  // which no check would let through
+    else
+      set(schema, spec.name, spec.default_value);
+  }
 }
 
 void Parameters::set(const ParameterSchema& schema, const std::string& name, const ParameterValue& value,

@@ -24,6 +24,9 @@ struct ParameterSpec {
   double max = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices = {};  ///< for strings; empty: any
   bool integer = false;                   ///< for numbers
+  bool required = false;                  ///< the default is none that works: a value must be given
+  /// For strings: what is wrong with one, to be read after "'name': "; "" where nothing is.
+  std::string (*problem)(const std::string& text) = nullptr;
 };
 
 using ParameterSchema = std::vector<ParameterSpec>;

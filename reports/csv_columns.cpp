@@ -44,7 +44,7 @@ std::vector<CsvColumn> cost_columns() {
        "Sizing and method together: from the prepared volume in memory to the finished mesh, metrics and files "
        "excluded."},
       {"peak_memory_mb", "MB",
-       "Largest memory that the run's process had resident up to the finished mesh; 1 MB is "
+       "Largest memory that the run's process, or a program that it ran, had resident up to the finished mesh; 1 MB is "
        "1,000,000 bytes."},
       {"repeat", "", "Which of several runs of one cell, made for their seconds, this is; counts from 1."},
       {"mesh_checksum", "", "Checksum of the finished mesh: the same for meshes that agree bit for bit."},

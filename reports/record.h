@@ -105,7 +105,7 @@ struct RunRecord {
   double seconds_sizing = 0.0;   ///< the sizing field that the method asked for
   double seconds_method = 0.0;   ///< the method without it
   double seconds_total = 0.0;    ///< sizing + method
-  double peak_memory_mb = 0.0;   ///< of the process, up to the finished mesh
+  double peak_memory_mb = 0.0;   ///< of the process, or of a program that it ran, up to the finished mesh
 
   std::vector<StageTime> stages;
   std::map<std::string, double> counters;

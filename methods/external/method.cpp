@@ -1,0 +1,254 @@
+#include "methods/method.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "datasets/names.h"
+#include "datasets/processes.h"
+#include "methods/external/command_line.h"
+#include "methods/external/exchange.h"
+#include "methods/external/program.h"
+
+namespace isobench {
+namespace external {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* log_name = "external.txt";
+
+// Where a run has its files: a folder to work in, which goes afterwards, and a log, which stays where something stays.
+class Workplace {
+ public:
+  Workplace(const fs::path& kept_in, bool keep) : keep_(keep && !kept_in.empty()) {
+    if (kept_in.empty()) {
+      std::string name = (fs::temp_directory_path() / "isobench-external-XXXXXX").string();
+      if (mkdtemp(name.data()) == nullptr) throw Error(name + ": no folder can be made there");
+      own_ = name;
+    }
+    const fs::path& home = kept_in.empty() ? own_ : kept_in;
+    log_ = home / log_name;
+    folder_ = home / (keep_ ? "external" : ".external");
+    fs::remove_all(folder_);
+    fs::create_directory(folder_);
+  }
+  ~Workplace() {
+    std::error_code ignored;
+    if (!keep_) fs::remove_all(folder_, ignored);
+    if (!own_.empty()) fs::remove_all(own_, ignored);
+  }
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+  const fs::path& log() const { return log_; }
+  bool log_stays() const { return own_.empty(); }
+
+ private:
+  fs::path own_;  // where nothing is to stay
+  fs::path folder_;
+  fs::path log_;
+  bool keep_;
+};
+
+std::string how_it_ended(const ProgramEnd& end) {
+  return end.signal != 0 ? "ended by " + signal_name(end.signal) : fmt::format("ended with exit code {}", end.code);
+}
+
+// One program with its command and its end in the log; what it said, for a message.
+struct Logged {
+  ProgramEnd end;
+  std::string tail;
+};
+
+Logged run_logged(const std::vector<std::string>& words, const Workplace& place, std::size_t lines, Monitor& monitor) {
+  std::ofstream(place.log(), std::ios::app) << "$ " << joined(words) << '\n' << std::flush;
+  const std::uintmax_t begin = fs::file_size(place.log());
+  Logged logged;
+  logged.end = run_program({words, place.folder(), place.log(), threads_in_use()}, monitor);
+  logged.tail = last_lines(place.log(), begin, lines);
+  std::ofstream(place.log(), std::ios::app)
+      << fmt::format("[{}, {:.3f} s]\n", how_it_ended(logged.end), logged.end.seconds);
+  return logged;
+}
+
+void note_version(const MeshingTask& task, const Workplace& place, Monitor& monitor) {
+  const std::vector<std::string> words = split_words(task.parameters.text("version"));
+  if (words.empty()) return;
+  std::string version = "unknown";
+  try {
+    const Logged logged = run_logged(words, place, 1, monitor);
+    if (logged.end.code == 0 && logged.end.signal == 0 && !logged.tail.empty()) version = logged.tail;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {  // the run itself does not hang on it
+  }
+  monitor.note("external: version " + version);
+}
+
+std::string files_in(const fs::path& folder, const std::vector<std::string>& known) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (std::find(known.begin(), known.end(), name) == known.end()) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  if (names.size() > 5) names.resize(5);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string log_text(const Logged& logged) { return logged.tail.empty() ? "" : "; its log ends: " + logged.tail; }
+
+// Throws unless the program ended well and left the file that it was to leave.
+fs::path output_of(const MeshingTask& task, const Workplace& place, const std::string& program, const Logged& logged) {
+  if (logged.end.signal != 0 || logged.end.code != 0) {
+    throw Error(program + " " + how_it_ended(logged.end) + log_text(logged));
+  }
+  const std::string& name = task.parameters.text("output");
+  if (fs::is_regular_file(place.folder() / name)) return place.folder() / name;
+  std::vector<std::string> ours = {name};
+  for (const char* file : file_parameters) ours.push_back(task.parameters.text(file));
+  const std::string others = files_in(place.folder(), ours);
+  throw Error(fmt::format("{} ended well but wrote no {} in the folder that it ran in{}{}", program, name,
+                          others.empty() ? "" : "; what it wrote there: " + others, log_text(logged)));
+}
+
+std::vector<std::string> placeholders(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const std::string& word : words) {
+    const std::vector<std::string> of_word = placeholders_in(word);
+    names.insert(names.end(), of_word.begin(), of_word.end());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
+  std::vector<std::string> words = split_words(task.parameters.text("command"));
+  if (words.empty()) throw UsageError("external needs a command");
+  find_program(words.front());  // before any work is done for it
+  const Workplace place(monitor.files(), task.parameters.flag("keep"));
+  note_version(task, place, monitor);
+  const std::map<std::string, Value> values = hand_over(task, placeholders(words), place.folder(), monitor);
+  for (std::string& word : words) word = filled(word, values);
+  monitor.note("external: ran " + joined(words));
+  if (place.log_stays()) monitor.note(fmt::format("external: its output is in {}", log_name));
+  Logged logged;
+  {
+    const auto stage = monitor.stage("program");
+    logged = run_logged(words, place, 3, monitor);
+  }
+  monitor.book_program_memory(logged.end.peak_memory_mb);
+  monitor.set("external/program seconds", logged.end.seconds);
+  monitor.set("external/program peak MB", logged.end.peak_memory_mb);
+  return take_back(task, output_of(task, place, words.front(), logged), monitor);
+}
+
+// What is wrong with a command line, as far as that shows before it is run.
+std::string command_problem(const std::string& text) {
+  try {
+    const std::vector<std::string> words = split_words(text);
+    if (words.empty()) return "give the program and its arguments";
+    const std::vector<std::string> known = known_placeholders();
+    for (const std::string& name : placeholders(words)) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      return "unknown placeholder {" + name + "}" + suggestion(name, known);
+    }
+    return "";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+std::string version_problem(const std::string& text) {
+  try {
+    split_words(text);
+    return "";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+template <const char* const* Endings>
+std::string name_problem(const std::string& name) {
+  if (!is_plain_name(name)) return "'" + name + "' is not the plain name of a file";
+  const std::string ending = fs::path(name).extension().string();
+  std::string known;
+  for (const char* const* one = Endings; *one != nullptr; ++one) {
+    if (ending == *one) return "";
+    known += (known.empty() ? "" : ", ") + std::string(*one);
+  }
+  return "'" + name + "' has none of the endings that tell a format: " + known;
+}
+
+constexpr const char* volume_endings[] = {".nrrd", ".vti", nullptr};
+constexpr const char* mesh_endings[] = {".ply", ".off", ".obj", ".stl", ".vtp", nullptr};
+constexpr const char* output_endings[] = {".ply",  ".off",  ".obj", ".stl", ".vtp",
+                                          ".nrrd", ".nhdr", ".xyz", ".txt", nullptr};
+
+ParameterSpec file(const char* name, const char* standard, const char* description,
+                   std::string (*problem)(const std::string&)) {
+  ParameterSpec spec{name, std::string(standard), "", description};
+  spec.problem = problem;
+  return spec;
+}
+
+ParameterSpec choice(const char* name, std::vector<std::string> choices, const char* description) {
+  ParameterSpec spec{name, choices.front(), "", description};
+  spec.choices = std::move(choices);
+  return spec;
+}
+
+ParameterSchema schema() {
+  ParameterSpec command{"command", std::string(), "", "the program and its arguments, with {placeholders}"};
+  command.required = true;
+  command.problem = command_problem;
+  ParameterSpec version{"version", std::string(), "", "a command whose last line of output is the program's version"};
+  version.problem = version_problem;
+  return {command,
+          version,
+          file("volume", "volume.nrrd", "file of {volume}, NRRD or VTI", name_problem<volume_endings>),
+          choice("values", {"coefficients", "nodes", "samples"},
+                 "of the volume: the spline's coefficients, F at the nodes, or the samples as they are"),
+          file("mesh", "mesh.ply", "file of {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
+          file("sizing", "sizing.nrrd", "file of {sizing}, h at the nodes in mm", name_problem<volume_endings>),
+          choice("frame", {"lattice", "world"}, "of what is handed over"),
+          file("output", "output.ply", "file of {output}, the mesh or points that the program writes",
+               name_problem<output_endings>),
+          choice("returns", {"mesh", "points"}, "what the output is; .nrrd, .nhdr, .xyz and .txt always hold points"),
+          choice("output_frame", {"same", "lattice", "world", "index"}, "of the output"),
+          {"project", false, "", "project the vertices that come back to F = c"},
+          {"keep", false, "", "leave the folder that the program worked in, \"external\", with the run"}};
+}
+
+}  // namespace
+
+int threads_in_use() {
+  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+bool returns_points(const Parameters& parameters) {
+  const std::string ending = fs::path(parameters.text("output")).extension().string();
+  const bool bare = ending == ".nrrd" || ending == ".nhdr" || ending == ".xyz" || ending == ".txt";
+  return bare || parameters.text("returns") == "points";
+}
+
+}  // namespace external
+
+Method method_external() {
+  Method method;
+  method.name = "external";
+  method.summary =
+      "Any program, given F as a volume or as a marching-cubes mesh, and the mesh or points that it writes";
+  method.deterministic = false;
+  method.parameters = external::schema();
+  method.mesh = external::mesh;
+  return method;
+}
+
+}  // namespace isobench

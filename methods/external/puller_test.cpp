@@ -1,0 +1,77 @@
+// The worked examples of README.md, read from there.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "datasets/phantoms.h"
+#include "datasets/toml.h"
+#include "methods/external/program.h"
+#include "methods/mesh_facts.h"
+#include "methods/method.h"
+
+namespace isobench {
+namespace {
+
+std::string page() {
+  std::ostringstream text;
+  text << std::ifstream(ISOBENCH_EXTERNAL_README).rdbuf();
+  return text.str();
+}
+
+/// The parameters of every [[method]] that the page shows, by label.
+std::map<std::string, Parameters> examples() {
+  const std::string text = page();
+  const ParameterSchema& schema = method("external").parameters;
+  std::map<std::string, Parameters> found;
+  for (std::size_t at = text.find("```toml\n"); at != std::string::npos; at = text.find("```toml\n", at + 1)) {
+    const std::size_t begin = at + 8;
+    const TomlValue document = TomlValue::parse_text(text.substr(begin, text.find("```", begin) - begin), "README.md");
+    for (const TomlValue& table : document.require("method").as_array()) {
+      Parameters parameters(schema);
+      for (const std::string& key : table.keys()) {
+        if (key == "name" || key == "label") continue;
+        const TomlValue value = table.require(key);
+        const ParameterValue given = value.is_bool() ? ParameterValue(value.as_bool()) : value.as_string();
+        parameters.set(schema, key, given, value.place());
+      }
+      found.emplace(table.require("label").as_string(), parameters);
+    }
+  }
+  return found;
+}
+
+TEST(Puller, TheExamplesOfThePageAreValid) {
+  const std::map<std::string, Parameters> all = examples();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all.at("mesher").text("values"), "nodes");
+  EXPECT_TRUE(all.at("remesher").flag("project"));
+}
+
+TEST(Puller, MeshesThePhantomAsThePageSays) {
+  try {
+    external::find_program("teem-puller");
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what() << " (Debian's package teem-apps)";
+  }
+  const Phantom p = phantom("torus");
+  const Isosurface surface(sample_phantom(p, 48), 0.0);
+  SizingRequest request;
+  request.vertices = 1500;
+  Monitor monitor;
+  const TriangleMesh mesh = method("external").mesh(MeshingTask(surface, request, examples().at("puller"), 1), monitor);
+  const MeshFacts facts = mesh_facts(mesh);
+  EXPECT_EQ(facts.euler, 0);
+  EXPECT_EQ(facts.open_edges, 0U);
+  EXPECT_EQ(facts.nonmanifold_edges, 0U);
+  // Some particles are lost as they find no way to the surface.
+  EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 1500.0, 150.0);
+  for (const Eigen::Vector3d& x : mesh.vertices) {
+    const Jet jet = surface.value_gradient(x);
+    // Its own criterion for being on the surface: a ten-thousandth of a voxel; sixfold for the sum of its steps.
+    ASSERT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-3 * surface.voxel());
+  }
+}
+
+}  // namespace
+}  // namespace isobench
