@@ -2,6 +2,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <array>
+
+#include "methods/particles/patch.h"
 #include "methods/particles/smoothing.h"
 #include "methods/particles/valence_edits.h"
 
@@ -20,6 +23,18 @@ EditableMesh editable(const Isosurface& surface, const TriangleMesh& mesh) {
 constexpr ShapeEnergy average_shape{0};
 constexpr int sweeps_a_round = 4;
 constexpr int last_sweeps = 10;
+
+/// Searches wider where narrower did not help.
+constexpr std::array<PatchSearch, 8> searches{
+    {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}}};
+
+void improve_tail(const MeshGround& ground, EditableMesh& mesh, Monitor& monitor) {
+  for (const PatchSearch& search : searches) {
+    monitor.check();
+    const std::size_t improved = improve_bad_places(ground, mesh, ShapeGoal{}, search);
+    monitor.trace("finish/places improved", static_cast<double>(improved));
+  }
+}
 
 }  // namespace
 
@@ -43,6 +58,10 @@ TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const 
     smooth(surface, edited, average_shape, last_sweeps);
     monitor.add("finish/flipped", static_cast<double>(flip_for_shape(ground, edited)));
     smooth(surface, edited, ShapeEnergy{1}, last_sweeps);
+  }
+  {
+    const auto stage = monitor.stage("tail");
+    improve_tail(ground, edited, monitor);
   }
   project_all(surface, edited);
   return edited.triangle_mesh();
