@@ -10,9 +10,9 @@ Method method_particles() {
   method.summary =
       "Particles on F = c relaxed to a hexagonal packing under the sizing field, closed by a sign-labelled Delaunay "
       "triangulation (after Meyer, Kirby, Whitaker 2007)";
-  method.revision = 1;
+  method.revision = 2;
   method.parameters = particles::pipeline_parameters(
-      {"shrinking-balls", "projected", "fast-marching", "elimination", "newton", "labelled-delaunay", 20.0});
+      {"shrinking-balls", "projected", "fast-marching", "elimination", "newton", "labelled-delaunay", 20.0, 12.0});
   method.mesh = particles::mesh_by_particles;
   return method;
 }

@@ -7,6 +7,7 @@
 #include "methods/marching-cubes/marching_cubes.h"
 #include "methods/particles/biased_population.h"
 #include "methods/particles/cure.h"
+#include "methods/particles/finish.h"
 #include "methods/particles/gauss_seidel.h"
 #include "methods/particles/population.h"
 #include "methods/particles/relaxation.h"
@@ -179,6 +180,14 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
        100.0,
        {},
        true},
+      {"finish",
+       preset.finish,
+       "",
+       "rounds in which the mesh's valences and shapes are made good; 0 leaves it as it was closed",
+       0.0,
+       100.0,
+       {},
+       true},
       {"contraction",
        1.5,
        "",
@@ -234,8 +243,15 @@ TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
       relax_by_newton(task, spacing, all, monitor);
   }
   show(all, monitor);
-  const auto stage = monitor.stage("triangulation");
-  return close(task, spacing, lattice_mesh, all, monitor);
+  TriangleMesh mesh;
+  {
+    const auto stage = monitor.stage("triangulation");
+    mesh = close(task, spacing, lattice_mesh, all, monitor);
+  }
+  const int rounds = task.parameters.integer("finish");
+  if (rounds == 0) return mesh;
+  const auto stage = monitor.stage("finish");
+  return finish(task.surface, *field, mesh, rounds, monitor);
 }
 
 }  // namespace isobench::particles

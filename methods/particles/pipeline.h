@@ -17,13 +17,15 @@ struct Preset {
   std::string relaxation;    ///< "newton", "gauss-seidel", each with its own control of the population
   std::string surface;       ///< "labelled-delaunay", "tight-cocone"
   double cure = 0.0;         ///< rounds, at most, in which particles are added to cure the triangulation
+  double finish = 0.0;       ///< rounds in which valences and shapes of the mesh are made good
 };
 
 /// The parameters of a method with these stages as its defaults.
 ParameterSchema pipeline_parameters(const Preset& preset);
 
-/// Stages "sizing", "seeds", "relaxation", "triangulation" of the monitor. Traces "energy" and "moves" once a sweep,
-/// "particles" once a round; artefact "particles", with "h" and "energy". Throws Skipped where no particle is left.
+/// Stages "sizing", "seeds", "relaxation", "triangulation", "finish" of the monitor. Traces "energy" and "moves" once a
+/// sweep, "particles" once a round; artefact "particles", with "h" and "energy". Throws Skipped where no particle is
+/// left.
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor);
 
 }  // namespace isobench::particles

@@ -1,0 +1,171 @@
+#include "methods/particles/finish.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "datasets/phantoms.h"
+#include "methods/mesh_facts.h"
+#include "methods/method.h"
+#include "methods/particles/patch.h"
+#include "methods/particles/shape_energy.h"
+
+namespace isobench::particles {
+namespace {
+
+struct Shape {
+  double least_q = 1.0;
+  double mean_q = 0.0;
+  double six = 0.0;  ///< share of vertices
+  std::size_t outside = 0;
+  double longest = 0.0;  ///< edge over h0
+};
+
+Shape shape_of(const TriangleMesh& mesh, const SizingField& sizing) {
+  Shape shape;
+  std::vector<int> valence(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    const double q = radius_ratio(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+    shape.least_q = std::min(shape.least_q, q);
+    shape.mean_q += q / static_cast<double>(mesh.triangles.size());
+    for (std::size_t c = 0; c < 3; ++c) {
+      ++valence[t[c]];
+      const Eigen::Vector3d& a = mesh.vertices[t[c]];
+      const Eigen::Vector3d& b = mesh.vertices[t[(c + 1) % 3]];
+      shape.longest = std::max(shape.longest, 2.0 * (a - b).norm() / (sizing.h0(a) + sizing.h0(b)));
+    }
+  }
+  for (const int v : valence) {
+    shape.six += v == 6 ? 1.0 / static_cast<double>(valence.size()) : 0.0;
+    shape.outside += v < 5 || v > 7 ? 1 : 0;
+  }
+  return shape;
+}
+
+struct Finished {
+  TriangleMesh mesh;
+  Shape shape;
+  double off = 0.0;  ///< voxels, the vertex farthest from F = c
+};
+
+Finished finished(const std::string& name, int nodes, const SizingRequest& request, int rounds = -1) {
+  const Isosurface surface(sample_phantom(phantom(name), nodes), 0.0);
+  const Method& particles = method("particles");
+  Parameters parameters(particles.parameters);
+  if (rounds >= 0) parameters.set(particles.parameters, "finish", static_cast<double>(rounds));
+  Monitor monitor;
+  const MeshingTask task(surface, request, parameters, 1);
+  Finished result{particles.mesh(task, monitor), {}, 0.0};
+  result.shape = shape_of(result.mesh, *task.sizing_field(monitor));
+  for (const Eigen::Vector3d& x : result.mesh.vertices) {
+    const Jet jet = surface.value_gradient(x);
+    result.off = std::max(result.off, std::abs(jet.value) / jet.gradient.norm() / surface.voxel());
+  }
+  return result;
+}
+
+SizingRequest adaptive(double epsilon) {
+  SizingRequest request;
+  request.epsilon = epsilon;
+  request.delta = 0.3;
+  return request;
+}
+
+SizingRequest uniform(double vertices) {
+  SizingRequest request;
+  request.vertices = vertices;
+  return request;
+}
+
+// Lower bounds: what the four real volumes must reach, on phantoms.
+TEST(Finish, ReachesTheGoalUnderGradation) {
+  for (const char* name : {"torus", "ellipsoid", "rounded-box", "gyroid-ball"}) {
+    const Finished result = finished(name, 64, adaptive(0.25));
+    const MeshFacts facts = mesh_facts(result.mesh);
+    EXPECT_EQ(facts.euler, phantom(name).euler) << name;
+    EXPECT_EQ(facts.open_edges, 0U) << name;
+    EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;
+    EXPECT_GE(result.shape.least_q, 0.84) << name;
+    EXPECT_GE(result.shape.mean_q, 0.975) << name;
+    EXPECT_EQ(result.shape.outside, 0U) << name;
+    EXPECT_GE(result.shape.six, 0.7) << name;
+    EXPECT_LE(result.shape.longest, 1.0) << name;
+    EXPECT_LE(result.off, 1e-5) << name;  // Newton stops at 1e-6
+  }
+}
+
+TEST(Finish, ReachesTheGoalAtUniformSize) {
+  for (const char* name : {"sphere", "torus"}) {
+    const Finished before = finished(name, 48, uniform(5000), 0);
+    const Finished after = finished(name, 48, uniform(5000));
+    EXPECT_GE(after.shape.least_q, 0.88) << name;
+    EXPECT_GE(after.shape.mean_q, 0.985) << name;
+    EXPECT_GT(after.shape.mean_q, before.shape.mean_q) << name;
+    EXPECT_GE(after.shape.six, 0.8) << name;
+    EXPECT_EQ(after.shape.outside, 0U) << name;
+    EXPECT_NEAR(static_cast<double>(after.mesh.vertices.size()), 5000.0, 100.0) << name;
+  }
+}
+
+TEST(Finish, DoesNotDependOnThreads) {
+  std::vector<TriangleMesh> meshes;
+  for (const std::size_t threads : {1U, 2U, 4U}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    meshes.push_back(finished("gyroid-ball", 48, adaptive(0.35)).mesh);
+  }
+  for (const TriangleMesh& mesh : meshes) {
+    ASSERT_EQ(mesh.vertices.size(), meshes[0].vertices.size());
+    EXPECT_EQ(mesh.triangles, meshes[0].triangles);
+    EXPECT_EQ(
+        std::memcmp(mesh.vertices.data(), meshes[0].vertices.data(), mesh.vertices.size() * sizeof(Eigen::Vector3d)),
+        0);
+  }
+}
+
+class FinishPatch : public testing::Test {
+ protected:
+  FinishPatch() : surface_(sample_phantom(phantom("sphere"), 32), 0.0), sizing_(0.25) {
+    const Method& particles = method("particles");
+    Monitor monitor;
+    const TriangleMesh mesh =
+        particles.mesh(MeshingTask(surface_, uniform(500), Parameters(particles.parameters), 1), monitor);
+    std::vector<Eigen::Vector3d> normals;
+    for (const auto& x : mesh.vertices) normals.push_back(outward_normal(surface_.value_gradient(x).gradient));
+    mesh_ = EditableMesh(mesh.vertices, normals, mesh.triangles);
+  }
+
+  Isosurface surface_;
+  SizingField sizing_;
+  EditableMesh mesh_;
+};
+
+TEST_F(FinishPatch, PutBackUnchangedLeavesTheMesh) {
+  const TriangleMesh before = mesh_.triangle_mesh();
+  const std::vector<EditableMesh::Index> centres{17};
+  const Patch patch = cut_out(mesh_, centres, 3);
+  EXPECT_GT(patch.vertices.size(), 19U);
+  EXPECT_EQ(patch.core.size(), mesh_.valence(17) + 1U);
+  put_back(mesh_, patch);
+  const MeshFacts facts = mesh_facts(mesh_.triangle_mesh());
+  EXPECT_EQ(facts.euler, 2);
+  EXPECT_EQ(facts.open_edges, 0U);
+  EXPECT_EQ(mesh_.triangle_mesh().vertices, before.vertices);
+  for (EditableMesh::Index v = 0; v < mesh_.vertex_count(); ++v) EXPECT_TRUE(mesh_.movable(v));
+}
+
+// A vertex of valence 4 or so, made by splitting an edge, is what the search must find a way out of.
+TEST_F(FinishPatch, SearchMendsABadPlace) {
+  const MeshGround ground{surface_, sizing_};
+  ASSERT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
+  ASSERT_NE(split_in_the_middle(ground, mesh_, 100), EditableMesh::none);
+  ASSERT_GT(missed(ground, mesh_, ShapeGoal{}), 1.0);
+  EXPECT_EQ(improve_bad_places(ground, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
+  EXPECT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
+  EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).euler, 2);
+  EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).open_edges, 0U);
+}
+
+}  // namespace
+}  // namespace isobench::particles
