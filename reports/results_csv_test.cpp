@@ -50,7 +50,8 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "run,dataset,method,label,parameters,epsilon,delta,edge_length,match_scale,seed,status,reason,vertices,"
             "triangles,radius_ratio_min,radius_ratio_p01,radius_ratio_avg,angle_min,angle_max,valence_lt5_percent,"
             "valence_5_percent,valence_6_percent,valence_7_percent,valence_gt7_percent,valence_extreme_count,"
-            "edge_over_h0_max,edge_over_h0_exceed_percent,edge_over_h0_exceed_count,floor_area_percent,components,"
+            "edge_over_h0_max,edge_over_h0_exceed_percent,edge_over_h0_exceed_count,edge_over_own_h0_max,"
+            "edge_over_own_h0_exceed_percent,floor_area_percent,components,"
             "components_reference,euler,euler_reference,reference_k,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason");
