@@ -117,7 +117,9 @@ TEST_F(ClusterSlow, LosesNothingWhenTasksAndNodesFail) {
   const auto after = records(results);
   ASSERT_EQ(after.size(), 10U);
   for (const auto& [run, record] : before) {
-    if (record.status == Status::ok) EXPECT_EQ(after.at(run).environment.job, record.environment.job) << run;
+    if (record.status == Status::ok) {
+      EXPECT_EQ(after.at(run).environment.job, record.environment.job) << run;
+    }
   }
 }
 

@@ -63,6 +63,24 @@ TEST(Measurement, AllFiguresOfATorus) {
   }
 }
 
+// A method whose own field was larger by a half than the one that was asked for.
+TEST(Measurement, TakesEdgesAgainstTheMethodsOwnH0Too) {
+  TriangleMesh mesh = torus_mesh();
+  Monitor monitor;
+  const EdgeLengthFigures alone = measure_edge_lengths(mesh, SizingField(1.2));
+  EXPECT_GT(alone.exceed_percent, 0.0);
+  EXPECT_EQ(alone.over_own_h0_max, alone.over_h0_max);
+  EXPECT_EQ(alone.own_exceed_percent, alone.exceed_percent);
+  EXPECT_EQ(alone.own_exceed_triangle_percent, alone.exceed_triangle_percent);
+  mesh.vertex_data[own_h0].assign(mesh.vertices.size(), 1.8);
+  const EdgeLengthFigures both = measure_edge_lengths(mesh, SizingField(1.2));
+  EXPECT_EQ(both.over_h0_max, alone.over_h0_max);
+  EXPECT_EQ(both.exceed_percent, alone.exceed_percent);
+  EXPECT_NEAR(both.over_own_h0_max, alone.over_h0_max / 1.5, 1e-12);
+  EXPECT_EQ(both.own_exceed_percent, 0.0);
+  EXPECT_EQ(both.own_exceed_triangle_percent, 0.0);
+}
+
 void expect_refused(TriangleMesh mesh, const std::string& part) {
   Monitor monitor;
   try {

@@ -33,6 +33,15 @@ const std::vector<MetricDefinition>& metric_definitions() {
       {"edge_over_h0_exceed_count", "", "Number of edges longer than the mean of h0 at their ends."},
       {"edge_over_h0_exceed_triangle_percent", "%",
        "Triangles with at least one edge longer than the mean of h0 at its ends, of all triangles: the paper's count."},
+      {"edge_over_own_h0_max", "",
+       "Largest ratio of an edge's length to the mean at its ends of the h0 that the method itself computed, where it "
+       "computes one by stages of its own (another medial axis, other nodes); elsewhere the same as edge_over_h0_max."},
+      {"edge_over_own_h0_exceed_percent", "%",
+       "Edges longer than the mean of the method's own h0 at their ends, of all edges: whether the method keeps what "
+       "it "
+       "set itself, not whether that was right. Elsewhere the same as edge_over_h0_exceed_percent."},
+      {"edge_over_own_h0_exceed_triangle_percent", "%",
+       "Triangles with at least one edge longer than the mean of the method's own h0 at its ends, of all triangles."},
       {"floor_area_percent", "%",
        "Share of the mesh's area where h0 is held up by its floor instead of following curvature and feature size; "
        "each "

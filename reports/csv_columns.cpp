@@ -83,6 +83,8 @@ const std::vector<CsvColumn>& csv_columns() {
                              "edge_over_h0_max",
                              "edge_over_h0_exceed_percent",
                              "edge_over_h0_exceed_count",
+                             "edge_over_own_h0_max",
+                             "edge_over_own_h0_exceed_percent",
                              "floor_area_percent",
                              "components",
                              "components_reference",

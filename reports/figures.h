@@ -28,6 +28,9 @@ void visit_figures(Figures& m, Visitor&& visit) {
   visit("edge_over_h0_exceed_percent", m.edges.exceed_percent);
   visit("edge_over_h0_exceed_count", m.edges.exceed_count);
   visit("edge_over_h0_exceed_triangle_percent", m.edges.exceed_triangle_percent);
+  visit("edge_over_own_h0_max", m.edges.over_own_h0_max);
+  visit("edge_over_own_h0_exceed_percent", m.edges.own_exceed_percent);
+  visit("edge_over_own_h0_exceed_triangle_percent", m.edges.own_exceed_triangle_percent);
   visit("floor_area_percent", m.edges.floor_area_percent);
   visit("components", m.topology.components);
   visit("euler", m.topology.euler);

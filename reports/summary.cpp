@@ -35,6 +35,11 @@ std::string summary_text(const Measurement& m) {
   if (std::isfinite(m.edges.over_h0_max)) {
     text += fmt::format("edges / h0    max {:.3f}, {} above 1 ({:.4f} % of edges)\n", m.edges.over_h0_max,
                         m.edges.exceed_count, m.edges.exceed_percent);
+    // Where the method has no field of its own, this would be the same line again.
+    if (m.edges.over_own_h0_max != m.edges.over_h0_max) {
+      text += fmt::format("edges/own h0  max {:.3f}, {:.4f} % of edges above 1\n", m.edges.over_own_h0_max,
+                          m.edges.own_exceed_percent);
+    }
   }
   text +=
       fmt::format("topology      components {} (surface {}), Euler {} (surface {}, counted at k = {})\n",
@@ -51,6 +56,9 @@ void forget_edge_lengths(Measurement& measurement) {
   measurement.edges.exceed_percent = unknown;
   measurement.edges.exceed_triangle_percent = unknown;
   measurement.edges.floor_area_percent = unknown;
+  measurement.edges.over_own_h0_max = unknown;
+  measurement.edges.own_exceed_percent = unknown;
+  measurement.edges.own_exceed_triangle_percent = unknown;
   measurement.edges.exceed_count = 0;
   measurement.edges.histogram = Histogram(0.0, 2.0, 200);
 }

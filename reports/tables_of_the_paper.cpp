@@ -150,7 +150,7 @@ TableRow edge_row(const Results& results, const Variant& variant, const std::str
   };
   const RunRecord* record = find_run(variant, dataset);
   if (record->status != Status::ok) {
-    return {dataset, variant.name + spread_label(runs), instead_of_figures(record), "–", "–", published("–"), "–"};
+    return {dataset, variant.name + spread_label(runs), instead_of_figures(record), "–", "–", published("–"), "–", "–"};
   }
   using R = RunRecord;
   const auto exceed_count = [](const R& r) { return static_cast<double>(r.measurement->edges.exceed_count); };
@@ -163,6 +163,8 @@ TableRow edge_row(const Results& results, const Variant& variant, const std::str
               runs, [](const R& r) { return r.measurement->edges.exceed_percent; }, to_significant(3)),
           published(over(
               runs, [](const R& r) { return r.measurement->edges.exceed_triangle_percent; }, to_significant(3))),
+          over(
+              runs, [](const R& r) { return r.measurement->edges.own_exceed_triangle_percent; }, to_significant(3)),
           over(
               runs, [](const R& r) { return r.measurement->edges.floor_area_percent; }, to_significant(3))};
 }
@@ -228,8 +230,8 @@ Table valence_table(const Results& results, const Arrangement& runs) {
 Table edge_length_table(const Results& results, const Arrangement& runs) {
   Table table;
   table.title = "Edges above h0 (the paper's Figure 4)";
-  table.header = {"Data",       "Method",         "max edge / h0",         "edges above h0",
-                  "% of edges", "% of triangles", "% of area on the floor"};
+  table.header = {"Data",       "Method",         "max edge / h0",   "edges above h0",
+                  "% of edges", "% of triangles", "% by its own h0", "% of area on the floor"};
   for (const std::string& dataset : runs.datasets) {
     for (const Variant& variant : runs.variants) {
       const Runs& group = find_runs(variant, dataset);
@@ -237,7 +239,7 @@ Table edge_length_table(const Results& results, const Arrangement& runs) {
     }
   }
   table.definitions = {"edge_over_h0_max", "edge_over_h0_exceed_percent", "edge_over_h0_exceed_triangle_percent",
-                       "floor_area_percent"};
+                       "edge_over_own_h0_exceed_triangle_percent", "floor_area_percent"};
   table.source = source_line(results, "Figure 4");
   return table;
 }

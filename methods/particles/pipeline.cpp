@@ -22,13 +22,22 @@ bool chosen(const MeshingTask& task, const char* stage, const char* name) {
   return task.parameters.text(stage) == name;
 }
 
-/// The field to mesh by. What the result is measured against is the task's own, whichever stages the method takes.
-std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor& monitor) {
+SizingStages sizing_stages(const MeshingTask& task) {
   SizingStages stages;
-  if (chosen(task, "medial_axis", "foot-points")) stages.medial_axis = MedialAxis::foot_points;
+  if (task.sizing.uniform()) return stages;
+  if (chosen(task, "medial_axis", "foot-points")) {
+    stages.medial_axis = MedialAxis::foot_points;
+    stages.axis_halvings = task.parameters.integer("axis_halvings");
+  }
   if (chosen(task, "limiter", "iteration")) stages.limiter = Limiter::iteration;
   if (chosen(task, "sizing_nodes", "bounding")) stages.nodes = SizingNodes::bounding;
-  if (task.sizing.uniform() || stages == SizingStages{}) return task.sizing_field(monitor);
+  return stages;
+}
+
+/// The field to mesh by. What the result is measured against is the task's own, whichever stages the method takes.
+std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor& monitor) {
+  const SizingStages stages = sizing_stages(task);
+  if (stages == SizingStages{}) return task.sizing_field(monitor);
   const auto stage = monitor.stage("sizing");
   return std::make_shared<const SizingField>(make_sizing_field(task.surface, task.sizing, monitor, stages));
 }
@@ -104,6 +113,11 @@ void relax_as_published(const MeshingTask& task, const Spacing& spacing, Particl
   if (round == most_rounds) monitor.note("the population of particles did not settle");
 }
 
+void tell_own_h0(const SizingField& field, TriangleMesh& mesh) {
+  std::vector<double>& h0 = mesh.vertex_data[own_h0];
+  for (const Eigen::Vector3d& x : mesh.vertices) h0.push_back(field.h0(x));
+}
+
 void show(const Particles& all, Monitor& monitor) {
   monitor.set("particles/count", static_cast<double>(all.size()));
   if (!monitor.keeps_artefacts()) return;
@@ -165,6 +179,14 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
   };
   return {
       stage("medial_axis", preset.medial_axis, "where feature sizes come from", {"shrinking-balls", "foot-points"}),
+      {"axis_halvings",
+       1.0,
+       "",
+       "of foot-points: how often the lattice that they are sought from is halved near the surface; 0 as published",
+       0.0,
+       3.0,
+       {},
+       true},
       stage("sizing_nodes", preset.sizing_nodes, "where h0 is computed: on the surface near lattice nodes, or at nodes",
             {"projected", "bounding"}),
       stage("limiter", preset.limiter, "how the sizing's gradient is limited", {"fast-marching", "iteration"}),
@@ -248,10 +270,12 @@ TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
     const auto stage = monitor.stage("triangulation");
     mesh = close(task, spacing, lattice_mesh, all, monitor);
   }
-  const int rounds = task.parameters.integer("finish");
-  if (rounds == 0) return mesh;
-  const auto stage = monitor.stage("finish");
-  return finish(task.surface, *field, mesh, rounds, monitor);
+  if (const int rounds = task.parameters.integer("finish"); rounds > 0) {
+    const auto stage = monitor.stage("finish");
+    mesh = finish(task.surface, *field, mesh, rounds, monitor);
+  }
+  if (sizing_stages(task) != SizingStages{}) tell_own_h0(*field, mesh);
+  return mesh;
 }
 
 }  // namespace isobench::particles

@@ -18,6 +18,7 @@ namespace {
 constexpr double least_cosine = 0.9;     // of the angle between two characteristics on one side of the axis
 constexpr double shell = 0.1;            // voxels: nearer to the surface the direction to the foot means little
 constexpr double foot_tolerance = 1e-3;  // voxels: tangential part of q − p
+constexpr double refined_within = 2.0;   // cells: nearer to the surface than so many of its own sizes a cell is cut
 
 class AxisSearch {
  public:
@@ -29,22 +30,43 @@ class AxisSearch {
     double radius;
   };
 
-  /// `guess` is a sample near q, for the search to begin with, and then the nearest one.
-  std::optional<Found> at(const Eigen::Vector3d& q, std::size_t& guess) const {
-    guess = tree_.nearest(q, guess).first;
-    const Eigen::Vector3d& near_q = samples_.points[guess];
-    std::optional<Eigen::Vector3d> q_far = leave_cell(q, q - near_q);
+  /// All that is found from the lower corner of a cell, and from those of the cells that it is cut into. `cell` is its
+  /// size; `cuts` how often it may be halved. `guess` is a sample near q, for the search to begin with.
+  void search(const Eigen::Vector3d& q, const Eigen::Vector3d& cell, int cuts, std::size_t& guess,
+              std::vector<Found>& found) const {
+    const double distance = to_samples(q, guess);
+    if (const auto point = at(q, cell, guess)) found.push_back(*point);
+    if (cuts == 0 || distance > refined_within * cell.maxCoeff()) return;
+    std::size_t near = guess;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d offset(corner & 1, corner >> 1 & 1, corner >> 2);
+      search(q + 0.5 * cell.cwiseProduct(offset), 0.5 * cell, cuts - 1, near, found);
+    }
+  }
+
+ private:
+  /// `guess` becomes the sample nearest to q.
+  double to_samples(const Eigen::Vector3d& q, std::size_t& guess) const {
+    const auto [nearest, distance] = tree_.nearest(q, guess);
+    guess = nearest;
+    return distance;
+  }
+
+  /// Between q, to which sample `nearest` is the nearest, and where the ray from its foot leaves the cell.
+  std::optional<Found> at(const Eigen::Vector3d& q, const Eigen::Vector3d& cell, std::size_t nearest) const {
+    const Eigen::Vector3d& near_q = samples_.points[nearest];
+    std::optional<Eigen::Vector3d> q_far = leave_cell(q, q - near_q, cell);
     if (!q_far) return std::nullopt;
-    const Eigen::Vector3d* near_far = &samples_.points[tree_.nearest(*q_far, guess).first];
+    const Eigen::Vector3d* near_far = &samples_.points[tree_.nearest(*q_far, nearest).first];
     if (surely_one_sheet(q - near_q, *q_far - *near_far)) return std::nullopt;
 
     const Eigen::Vector3d p = foot(q, near_q);
     const double distance = (q - p).norm();
     if (distance < shell * voxel_) return std::nullopt;
     const Eigen::Vector3d u = (q - p) / distance;
-    q_far = leave_cell(q, u);
+    q_far = leave_cell(q, u, cell);
     if (!q_far) return std::nullopt;
-    near_far = &samples_.points[tree_.nearest(*q_far, guess).first];
+    near_far = &samples_.points[tree_.nearest(*q_far, nearest).first];
     const Eigen::Vector3d p_far = foot(*q_far, *near_far);
     const Eigen::Vector3d apart = *q_far - p_far;
     // The foot that the search began with may be nearer than the one that its sample led to: no crossing.
@@ -56,13 +78,12 @@ class AxisSearch {
     return Found{p + radius * u, radius};
   }
 
- private:
-  /// Where the ray from a lattice node leaves the first cell that it runs through; not outside the volume.
-  std::optional<Eigen::Vector3d> leave_cell(const Eigen::Vector3d& node, const Eigen::Vector3d& direction) const {
-    const Eigen::Vector3d& spacing = surface_.lattice().spacing;
+  /// Where the ray from a node leaves the first cell that it runs through; not outside the volume.
+  std::optional<Eigen::Vector3d> leave_cell(const Eigen::Vector3d& node, const Eigen::Vector3d& direction,
+                                            const Eigen::Vector3d& cell) const {
     double length = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-      if (direction[axis] != 0.0) length = std::min(length, spacing[axis] / std::abs(direction[axis]));
+      if (direction[axis] != 0.0) length = std::min(length, cell[axis] / std::abs(direction[axis]));
     }
     if (!std::isfinite(length)) return std::nullopt;
     const Eigen::Vector3d far = node + length * direction;
@@ -114,10 +135,10 @@ class AxisSearch {
 
 }  // namespace
 
-MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& samples, Monitor& monitor) {
+MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& samples, Monitor& monitor, int halvings) {
   MedialBalls axis;
   if (samples.points.empty()) return axis;
-  const AxisSearch search(surface, samples);
+  const AxisSearch nodes(surface, samples);
   const std::array<int, 3>& size = surface.lattice().size;
   const Eigen::Vector3d& spacing = surface.lattice().spacing;
   std::vector<std::vector<AxisSearch::Found>> rows(static_cast<std::size_t>(size[1]));
@@ -128,8 +149,7 @@ MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& sam
       row.clear();
       std::size_t guess = 0;
       for (int i = 0; i < size[0]; ++i) {
-        const auto found = search.at(spacing.cwiseProduct(Eigen::Vector3d(i, j, k)), guess);
-        if (found) row.push_back(*found);
+        nodes.search(spacing.cwiseProduct(Eigen::Vector3d(i, j, k)), spacing, halvings, guess, row);
       }
     });
     for (const auto& row : rows) {

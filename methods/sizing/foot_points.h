@@ -17,6 +17,13 @@ namespace isobench {
 /// As published, the ends of the axis, where the angle closes, are not found: there 1/|κ| is the smaller bound. A shape
 /// without an axis (a plane) gives no points. Multi-threaded; points come in the order of the nodes, whatever the
 /// number of threads. Cost: two nearest-neighbour queries a lattice node, and a few projections near the axis.
-MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& samples, Monitor& monitor);
+///
+/// The points lie about a node apart, so the distance to the nearest of them is more than that to the axis: for λ of a
+/// voxel or two by a tenth to a half, and in sheets thinner than a voxel there may be no node to find any. With
+/// `halvings` > 0, beyond what is published, the nodes of a lattice of half the spacing are asked, too, within two
+/// cells of the surface, of a quarter within two of the smaller cells, and so on: where λ is small, the points are
+/// dense. Each halving costs about as much as the lattice.
+MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& samples, Monitor& monitor,
+                            int halvings = 0);
 
 }  // namespace isobench

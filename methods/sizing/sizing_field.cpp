@@ -86,13 +86,13 @@ std::vector<float> initial_field(const Isosurface& surface, const Band& band, co
   return h0;
 }
 
-FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& samples, MedialAxis kind,
+FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& samples, const SizingStages& stages,
                             Monitor& monitor) {
   // No ball inside the object is larger than half the volume's shortest side.
   const double cap = 0.5 * surface.extent().minCoeff();
-  const bool feet = kind == MedialAxis::foot_points;
-  const MedialBalls axis =
-      feet ? foot_point_axis(surface, samples, monitor) : shrinking_balls(samples, surface.voxel(), cap, monitor);
+  const bool feet = stages.medial_axis == MedialAxis::foot_points;
+  const MedialBalls axis = feet ? foot_point_axis(surface, samples, monitor, stages.axis_halvings)
+                                : shrinking_balls(samples, surface.voxel(), cap, monitor);
   if (monitor.keeps_artefacts()) monitor.artefact("medial-axis", {axis.centres, {{"radius", axis.radii}}});
   if (!feet) return {axis, surface.voxel()};  // its balls hold to the cap
   monitor.set("axis/points", static_cast<double>(axis.centres.size()));
@@ -186,7 +186,7 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
   }();
   const FeatureSize feature_size = [&] {
     const auto stage = monitor.stage("axis");
-    return feature_size_of(surface, samples, stages.medial_axis, monitor);
+    return feature_size_of(surface, samples, stages, monitor);
   }();
   const auto band = std::make_shared<const Band>(surface, stages.nodes == SizingNodes::bounding ? 0 : 2);
   std::vector<float> h0 = [&] {

@@ -74,8 +74,13 @@ struct SizingStages {
   MedialAxis medial_axis = MedialAxis::shrinking_balls;
   Limiter limiter = Limiter::fast_marching;
   SizingNodes nodes = SizingNodes::projected;
+  int axis_halvings = 0;  ///< of foot points: how often the lattice is halved near the surface; 0 as published
   bool operator==(const SizingStages&) const = default;
 };
+
+/// The vertex data in which a method that meshes by a field of its own leaves the h0 of that field (mm), so that its
+/// edges can be measured against what it was aiming at, too.
+inline constexpr const char* own_h0 = "own_h0";
 
 /// Computes the field of a request, in stages "samples", "axis", "band", "limit" of the monitor's current stage.
 /// Artefacts: "medial-axis", its points with their distance from the surface as "radius", and "sizing", the band's
