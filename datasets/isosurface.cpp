@@ -333,8 +333,7 @@ void Isosurface::node_values(int k, std::vector<float>& slab) const {
     const auto across = [](const std::array<const float*, 3>& q, std::size_t i) {
       return (q[0][i] + 4.0 * q[1][i]) + q[2][i];
     };
-    for (std::size_t i = 0; i < nx; ++i)
-      column[i + 1] = (across(p[0], i) + 4.0 * across(p[1], i)) + across(p[2], i);
+    for (std::size_t i = 0; i < nx; ++i) column[i + 1] = (across(p[0], i) + 4.0 * across(p[1], i)) + across(p[2], i);
     column.front() = column[1];
     column.back() = column[nx];
     float* out = &slab[static_cast<std::size_t>(j) * nx];

@@ -48,8 +48,7 @@ Results load_results(const fs::path& folder) {
   Results results;
   results.name = fs::canonical(folder).filename().string();
   results.title = title_of(folder, results.name);
-  const std::vector<RunRequest> plan =
-      plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string());
+  const std::vector<RunRequest> plan = plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string());
   results.records.reserve(plan.size());
   // Side by side, but a hundred thousand records are not to be held twice.
   constexpr std::size_t batch = 1024;
