@@ -12,6 +12,7 @@
 #include "methods/particles/population.h"
 #include "methods/particles/relaxation.h"
 #include "methods/particles/seeds.h"
+#include "methods/sizing/limit.h"
 #include "methods/tight_cocone/tight_cocone.h"
 
 namespace isobench::particles {
@@ -28,7 +29,18 @@ std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor
   if (chosen(task, "medial_axis", "foot-points")) stages.medial_axis = MedialAxis::foot_points;
   if (chosen(task, "limiter", "iteration")) stages.limiter = Limiter::iteration;
   if (chosen(task, "sizing_nodes", "bounding")) stages.nodes = SizingNodes::bounding;
-  if (task.sizing.uniform() || stages == SizingStages{}) return task.sizing_field(monitor);
+  if (task.sizing.uniform()) return task.sizing_field(monitor);
+  const double gradation = task.parameters.number("gradation");
+  if (stages == SizingStages{}) {
+    const auto usual = task.sizing_field(monitor);
+    if (!(*task.sizing.delta > gradation)) return usual;
+    // Smaller everywhere, so what the asked δ promises holds all the same.
+    const auto stage = monitor.stage("sizing");
+    const auto limit = monitor.stage("limit");
+    return std::make_shared<const SizingField>(usual->band_shared(), usual->h0_nodes(),
+                                               limit_gradient(*usual->band(), usual->h0_nodes(), gradation, monitor),
+                                               usual->floor_length());
+  }
   const auto stage = monitor.stage("sizing");
   return std::make_shared<const SizingField>(make_sizing_field(task.surface, task.sizing, monitor, stages));
 }
@@ -188,6 +200,14 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
        100.0,
        {},
        true},
+      {"gradation",
+       preset.gradation,
+       "",
+       "a larger delta is brought down to this one: neighbours of too different size cannot all have good triangles",
+       0.05,
+       100.0,
+       {},
+       false},
       {"contraction",
        1.5,
        "",
@@ -204,7 +224,7 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
        20.0,
        {},
        false},
-      {"sweeps", 60.0, "", "of newton: relaxation sweeps in all", 0.0, 10000.0, {}, true},
+      {"sweeps", 80.0, "", "of newton: relaxation sweeps in all", 0.0, 10000.0, {}, true},
       {"rounds",
        3.0,
        "",

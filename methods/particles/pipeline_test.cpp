@@ -22,7 +22,7 @@ TriangleMesh mesh_by(const std::string& preset, const std::vector<Choice>& choic
   const Isosurface surface(sample_phantom(phantom(name), nodes), 0.0);
   const Method& chosen = method(preset);
   Parameters parameters(chosen.parameters);
-  for (const Choice& choice : choices) parameters.set(chosen.parameters, choice.stage, choice.name);
+  for (const Choice& choice : choices) parameters.set_text(chosen.parameters, choice.stage, choice.name);
   SizingRequest request;
   request.epsilon = 0.5;
   request.delta = 0.3;
@@ -34,12 +34,16 @@ bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
          std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(Eigen::Vector3d)) == 0;
 }
 
-const std::vector<Choice> published{{"medial_axis", "foot-points"}, {"sizing_nodes", "bounding"},
-                                    {"limiter", "iteration"},       {"seeds", "marching-cubes"},
-                                    {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"}};
-const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"}, {"sizing_nodes", "projected"},
-                               {"limiter", "fast-marching"},       {"seeds", "elimination"},
-                               {"relaxation", "newton"},           {"surface", "labelled-delaunay"}};
+const std::vector<Choice> published{
+    {"medial_axis", "foot-points"}, {"sizing_nodes", "bounding"}, {"limiter", "iteration"}, {"seeds", "marching-cubes"},
+    {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"},  {"finish", "0"}};
+const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"},
+                               {"sizing_nodes", "projected"},
+                               {"limiter", "fast-marching"},
+                               {"seeds", "elimination"},
+                               {"relaxation", "newton"},
+                               {"surface", "labelled-delaunay"},
+                               {"finish", "12"}};
 
 TEST(ParticlePresets, AreOnePipelineWithOtherDefaults) {
   Monitor monitor;
