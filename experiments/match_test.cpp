@@ -20,10 +20,12 @@ delta = 0.5
 name = "marching-cubes"
 [[method]]
 name = "particles"
+finish = 0
 label = "looser"
 contraction = 1.1
 [[method]]
 name = "particles"
+finish = 0
 )";
 
 void write_experiment(const TestFolder& folder) {

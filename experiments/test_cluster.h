@@ -61,8 +61,8 @@ AccountingStorageType=accounting_storage/none
 KillWait=2
 SlurmdTimeout=5
 MaxArraySize=50
-NodeName=n1 NodeHostname={1} Port={3} CPUs=1 RealMemory=4000
-NodeName=n2 NodeHostname={1} Port={4} CPUs=1 RealMemory=4000
+NodeName=n1 NodeHostname={1} Port={3} CPUs=1 RealMemory=6000
+NodeName=n2 NodeHostname={1} Port={4} CPUs=1 RealMemory=6000
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 )",
                                             root, host(), port, port + 1, port + 2));

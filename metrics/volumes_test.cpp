@@ -18,7 +18,17 @@ struct Case {
   double delta;
 };
 
-class ParticlesOnVolumesSlow : public testing::TestWithParam<Case> {
+void expect_good_triangles(const Measurement& found) {
+  EXPECT_EQ(found.topology.boundary_edges, 0U);
+  EXPECT_EQ(found.topology.nonmanifold_edges, 0U);
+  EXPECT_EQ(found.topology.nonmanifold_vertices, 0U);
+  EXPECT_EQ(found.topology.self_intersections, 0U);
+  EXPECT_GE(found.angles.min, 37.0);
+  EXPECT_LE(found.angles.max, 88.0);
+  EXPECT_EQ(found.valence.extreme_count, 0U);
+}
+
+class OnVolumes : public testing::Test {
  protected:
   void SetUp() override {
     if (std::getenv("ISOBENCH_DATA") == nullptr) {
@@ -26,6 +36,8 @@ class ParticlesOnVolumesSlow : public testing::TestWithParam<Case> {
     }
   }
 };
+
+class ParticlesOnVolumesSlow : public OnVolumes, public testing::WithParamInterface<Case> {};
 
 TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
   Monitor monitor;
@@ -38,10 +50,11 @@ TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
   TriangleMesh mesh = particles.mesh(task, monitor);
   const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), 1, monitor);
 
-  EXPECT_EQ(found.topology.boundary_edges, 0U);
-  EXPECT_GE(found.radius_ratio.avg, 0.94);
-  EXPECT_GE(found.valence.v6_percent, 63.0);
-  EXPECT_LE(found.edges.exceed_percent, 0.5);
+  expect_good_triangles(found);
+  EXPECT_GE(found.radius_ratio.min, 0.84);
+  EXPECT_GE(found.radius_ratio.avg, 0.984);
+  EXPECT_GE(found.valence.v6_percent, 78.0);
+  EXPECT_EQ(found.edges.exceed_count, 0U);
   // Newton stops at 1e-6 voxel.
   EXPECT_LE(found.distance.vertex_max, 1e-5 * dataset.surface->voxel());
   if (dataset.name == "pelvis") {
@@ -53,6 +66,26 @@ TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
     EXPECT_EQ(found.topology.euler, -14);
     EXPECT_EQ(found.topology.components, 1U);
   }
+}
+
+class UniformParticlesOnVolumesSlow : public OnVolumes {};
+
+TEST_F(UniformParticlesOnVolumesSlow, ReachWhatNoPeerDoes) {
+  Monitor monitor;
+  const Dataset dataset = load_dataset("skull-small", monitor);
+  SizingRequest sizing;
+  sizing.vertices = 50000.0;
+  const Method& particles = method("particles");
+  const MeshingTask task(*dataset.surface, sizing, Parameters(particles.parameters), 1);
+  TriangleMesh mesh = particles.mesh(task, monitor);
+  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), 1, monitor);
+  expect_good_triangles(found);
+  EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 50000.0, 500.0);
+  EXPECT_GE(found.radius_ratio.min, 0.85);
+  EXPECT_GE(found.radius_ratio.avg, 0.99);
+  EXPECT_GE(found.valence.v6_percent, 86.0);
+  EXPECT_EQ(found.topology.euler, 0);
+  EXPECT_EQ(found.topology.components, 2U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Paper, ParticlesOnVolumesSlow,

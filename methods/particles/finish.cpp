@@ -34,6 +34,7 @@ void improve_tail(const MeshGround& ground, EditableMesh& mesh, Monitor& monitor
     const std::size_t improved = improve_bad_places(ground, mesh, ShapeGoal{}, search);
     monitor.trace("finish/places improved", static_cast<double>(improved));
   }
+  monitor.set("finish/places left", static_cast<double>(count_bad_places(ground, mesh, ShapeGoal{})));
 }
 
 }  // namespace

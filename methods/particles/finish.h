@@ -8,6 +8,17 @@
 
 namespace isobench::particles {
 
+/// Rounds of collapses, divisions and flips that bring valences to 5-7, each followed by sweeps of smoothing (Σ 1/Q³);
+/// then the places where a triangle, a valence or an edge is still not as wanted are searched one by one. Vertices at
+/// borders and pinches stay where they are. What no search mended stays: it is counted as "finish/places left".
+///
+/// An edge above h0 is such a place, and no change makes one; where the sizing is uniform, lengths are left to the
+/// shapes. `mesh` is a sampling of F = c that is as dense as the sizing asks. Self-intersection is not looked for:
+/// triangles within 60° of the normals of F at their corners do not fold, but sheets nearer than their edges are long
+/// could meet.
+///
+/// Stages "connectivity", "shape" and "tail" of the monitor's current stage. The same mesh for any number of threads.
+/// Cost: about 40 µs of one core a vertex, on all threads.
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor);
 

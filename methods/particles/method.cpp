@@ -11,8 +11,15 @@ Method method_particles() {
       "Particles on F = c relaxed to a hexagonal packing under the sizing field, closed by a sign-labelled Delaunay "
       "triangulation (after Meyer, Kirby, Whitaker 2007)";
   method.revision = 2;
-  method.parameters = particles::pipeline_parameters(
-      {"shrinking-balls", "projected", "fast-marching", "elimination", "newton", "labelled-delaunay", 20.0, 12.0});
+  method.parameters = particles::pipeline_parameters({.medial_axis = "shrinking-balls",
+                                                      .sizing_nodes = "projected",
+                                                      .limiter = "fast-marching",
+                                                      .seeds = "elimination",
+                                                      .relaxation = "newton",
+                                                      .surface = "labelled-delaunay",
+                                                      .cure = 20.0,
+                                                      .gradation = 0.3,
+                                                      .finish = 12.0});
   method.mesh = particles::mesh_by_particles;
   return method;
 }

@@ -3,11 +3,15 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "datasets/phantoms.h"
 #include "methods/labelled_delaunay.h"
 #include "methods/marching-cubes/marching_cubes.h"
+#include "methods/particles/finish.h"
 #include "methods/particles/relaxation.h"
 #include "methods/particles/seeds.h"
+#include "methods/particles/shape_energy.h"
 
 namespace isobench::particles {
 namespace {
@@ -85,6 +89,28 @@ void delaunay_triangulation_labelled(benchmark::State& state) {
   per_particle(state);
 }
 BENCHMARK(delaunay_triangulation_labelled)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void finish_of_the_mesh(benchmark::State& state) {
+  Monitor monitor;
+  const TriangleMesh closed{
+      relaxed().points, LabelledDelaunay(relaxed().points, surface(), monitor).triangles(), {}, {}};
+  TriangleMesh mesh;
+  for ([[maybe_unused]] auto _ : state) {
+    mesh = finish(surface(), spacing().field, closed, 12, monitor);
+    benchmark::DoNotOptimize(mesh);
+  }
+  double least = 1.0;
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const double q = radius_ratio(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+    least = std::min(least, q);
+    sum += q;
+  }
+  state.counters["least_q"] = least;
+  state.counters["mean_q"] = sum / static_cast<double>(mesh.triangles.size());
+  per_particle(state);
+}
+BENCHMARK(finish_of_the_mesh)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace isobench::particles

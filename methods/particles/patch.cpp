@@ -315,4 +315,8 @@ std::size_t improve_bad_places(const MeshGround& ground, EditableMesh& mesh, con
   return improved;
 }
 
+std::size_t count_bad_places(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal) {
+  return bad_places(ground, mesh, goal).size();
+}
+
 }  // namespace isobench::particles

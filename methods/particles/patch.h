@@ -51,4 +51,7 @@ bool improve(const MeshGround& ground, Patch& patch, const ShapeGoal& goal, cons
 std::size_t improve_bad_places(const MeshGround& ground, EditableMesh& mesh, const ShapeGoal& goal,
                                const PatchSearch& search);
 
+/// Triangles and vertices that miss the goal.
+std::size_t count_bad_places(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal);
+
 }  // namespace isobench::particles

@@ -12,6 +12,7 @@
 #include "methods/particles/population.h"
 #include "methods/particles/relaxation.h"
 #include "methods/particles/seeds.h"
+#include "methods/sizing/limit.h"
 #include "methods/tight_cocone/tight_cocone.h"
 
 namespace isobench::particles {
@@ -36,8 +37,19 @@ SizingStages sizing_stages(const MeshingTask& task) {
 
 /// The field to mesh by. What the result is measured against is the task's own, whichever stages the method takes.
 std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor& monitor) {
+  if (task.sizing.uniform()) return task.sizing_field(monitor);
   const SizingStages stages = sizing_stages(task);
-  if (stages == SizingStages{}) return task.sizing_field(monitor);
+  const double gradation = task.parameters.number("gradation");
+  if (stages == SizingStages{}) {
+    const auto usual = task.sizing_field(monitor);
+    if (!(*task.sizing.delta > gradation)) return usual;
+    // Smaller everywhere, so what the asked δ promises holds all the same.
+    const auto stage = monitor.stage("sizing");
+    const auto limit = monitor.stage("limit");
+    return std::make_shared<const SizingField>(usual->band_shared(), usual->h0_nodes(),
+                                               limit_gradient(*usual->band(), usual->h0_nodes(), gradation, monitor),
+                                               usual->floor_length());
+  }
   const auto stage = monitor.stage("sizing");
   return std::make_shared<const SizingField>(make_sizing_field(task.surface, task.sizing, monitor, stages));
 }
@@ -210,6 +222,14 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
        100.0,
        {},
        true},
+      {"gradation",
+       preset.gradation,
+       "",
+       "a larger delta is brought down to this one: neighbours of too different size cannot all have good triangles",
+       0.05,
+       100.0,
+       {},
+       false},
       {"contraction",
        1.5,
        "",
@@ -226,7 +246,7 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
        20.0,
        {},
        false},
-      {"sweeps", 60.0, "", "of newton: relaxation sweeps in all", 0.0, 10000.0, {}, true},
+      {"sweeps", 80.0, "", "of newton: relaxation sweeps in all", 0.0, 10000.0, {}, true},
       {"rounds",
        3.0,
        "",

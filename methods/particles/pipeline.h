@@ -17,6 +17,7 @@ struct Preset {
   std::string relaxation;    ///< "newton", "gauss-seidel", each with its own control of the population
   std::string surface;       ///< "labelled-delaunay", "tight-cocone"
   double cure = 0.0;         ///< rounds, at most, in which particles are added to cure the triangulation
+  double gradation = 100.0;  ///< largest δ that is meshed by
   double finish = 0.0;       ///< rounds in which valences and shapes of the mesh are made good
 };
 

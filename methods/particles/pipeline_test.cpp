@@ -34,21 +34,15 @@ bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
          std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(Eigen::Vector3d)) == 0;
 }
 
-const std::vector<Choice> published{{"medial_axis", "foot-points"},
-                                    {"sizing_nodes", "bounding"},
-                                    {"limiter", "iteration"},
-                                    {"seeds", "marching-cubes"},
-                                    {"relaxation", "gauss-seidel"},
-                                    {"surface", "tight-cocone"},
-                                    {"cure", "0"},
-                                    {"finish", "0"}};
+const std::vector<Choice> published{
+    {"medial_axis", "foot-points"}, {"sizing_nodes", "bounding"}, {"limiter", "iteration"}, {"seeds", "marching-cubes"},
+    {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"},  {"finish", "0"}};
 const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"},
                                {"sizing_nodes", "projected"},
                                {"limiter", "fast-marching"},
                                {"seeds", "elimination"},
                                {"relaxation", "newton"},
                                {"surface", "labelled-delaunay"},
-                               {"cure", "20"},
                                {"finish", "12"}};
 
 TEST(ParticlePresets, AreOnePipelineWithOtherDefaults) {

@@ -236,23 +236,4 @@ Index split_in_the_middle(const MeshGround& ground, EditableMesh& mesh, Index e)
   return mesh.split_edge(e, on->point, on->normal);
 }
 
-std::size_t split_long_edges(const MeshGround& ground, EditableMesh& mesh, double most) {
-  if (ground.sizing.uniform()) return 0;
-  std::vector<double> h0(mesh.vertex_count());
-  for (Index v = 0; v < h0.size(); ++v) {
-    if (mesh.alive(v)) h0[v] = ground.sizing.h0(mesh.points[v]);
-  }
-  std::size_t split = 0;
-  const auto count = static_cast<Index>(mesh.half_edge_count());
-  for (Index e = 0; e < count; ++e) {
-    if (mesh.origin(e) == EditableMesh::none || mesh.twin(e) == EditableMesh::none || mesh.twin(e) < e) continue;
-    const Index a = mesh.origin(e);
-    const Index b = mesh.target(e);
-    if (a >= h0.size() || b >= h0.size()) continue;  // split a moment ago
-    if ((mesh.points[a] - mesh.points[b]).norm() * 2.0 <= most * (h0[a] + h0[b])) continue;
-    if (split_in_the_middle(ground, mesh, e) != EditableMesh::none) ++split;
-  }
-  return split;
-}
-
 }  // namespace isobench::particles

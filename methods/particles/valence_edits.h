@@ -1,4 +1,4 @@
-// Changes of connectivity that bring valences towards six and keep edges below h0.
+// Changes of connectivity that bring valences towards six.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +36,6 @@ std::size_t flip_for_shape(const MeshGround& ground, EditableMesh& mesh);
 std::size_t collapse_low_valence(const MeshGround& ground, EditableMesh& mesh);
 /// Divides vertices of valence 8 and more.
 std::size_t split_high_valence(const MeshGround& ground, EditableMesh& mesh);
-/// A vertex amid each edge longer than `most` times h0.
-std::size_t split_long_edges(const MeshGround& ground, EditableMesh& mesh, double most);
 
 /// Divides one vertex so that both parts get about as many neighbours, those of few rather than of many at the seam.
 /// Returns the new vertex, or none where shapes forbid it.

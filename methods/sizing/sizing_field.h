@@ -50,6 +50,7 @@ class SizingField {
   double smallest() const;                        ///< mm, of h
   double largest() const;                         ///< mm, of h
   const Band* band() const { return band_.get(); }
+  const std::shared_ptr<const Band>& band_shared() const { return band_; }
   const std::vector<float>& h0_nodes() const { return h0_; }
   const std::vector<float>& h_nodes() const { return h_; }
 
