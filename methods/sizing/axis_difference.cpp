@@ -42,7 +42,7 @@ AxisDifference axis_difference(const SurfaceSamples& samples, const MedialBalls&
       const auto [ball, distance] = balls_tree->nearest(x);
       to_balls = std::min(cap, distance);
       const bool found = feet_tree && feet_tree->nearest(balls.centres[ball]).second <= found_within * voxel;
-      if (!found) place = AxisPlace::ridge_end;
+      if (!found) place = AxisPlace::missed;
     }
     if (to_balls < thin_below * voxel) place = AxisPlace::thin;
     result.by_feet.push_back(std::min(to_feet, radius));

@@ -10,9 +10,10 @@ namespace isobench {
 
 /// What a sample of the surface lies at, as far as the two axes can differ there.
 enum class AxisPlace {
-  thin,       ///< λ below two voxels: foot points, about a voxel apart, are too sparse for it
-  ridge_end,  ///< λ larger, and no foot point within a voxel of the centre of the nearest ball: the axis was not found
-              ///< there, because its two sheets meet at less than the published angle
+  thin,    ///< λ below two voxels: foot points, about a voxel apart, are too sparse for it
+  missed,  ///< λ larger, and no foot point within a voxel of the centre of the nearest ball: the axis was not found
+           ///< there. Its ends are so, where the angle closes; that the place is one is not checked. As λ cannot be
+           ///< overestimated by more than a voxel elsewhere, every larger overestimate is here or at a thin part.
   other,
 };
 

@@ -19,12 +19,12 @@ SurfaceSamples samples_at(const std::vector<Eigen::Vector3d>& points) {
 }
 
 // Three samples far from each other: balls of radius 1, 5 and 5 below them; the second ball has no foot point near.
-TEST(AxisDifference, TellsThinPartsFromEndsOfTheAxis) {
+TEST(AxisDifference, TellsThinPartsFromWhereTheAxisWasNotFound) {
   const SurfaceSamples samples = samples_at({{0, 0, 0}, {100, 0, 0}, {200, 0, 0}});
   const MedialBalls balls{{{0, 0, -1}, {100, 0, -5}, {200, 0, -5}}, {1, 5, 5}};
   const MedialBalls feet{{{1.5, 0, -2}, {100, 0, -9}, {200, 0, -5.5}}, {2, 9, 5.5}};
   const AxisDifference found = axis_difference(samples, feet, balls, 1.0, 50.0);
-  EXPECT_EQ(found.place, (std::vector<AxisPlace>{AxisPlace::thin, AxisPlace::ridge_end, AxisPlace::other}));
+  EXPECT_EQ(found.place, (std::vector<AxisPlace>{AxisPlace::thin, AxisPlace::missed, AxisPlace::other}));
   EXPECT_NEAR(found.by_feet[0], 2.5, 1e-12);
   EXPECT_NEAR(found.by_feet[1], 9.0, 1e-12);
   EXPECT_NEAR(found.by_balls[1], 5.0, 1e-12);
@@ -49,7 +49,7 @@ TEST(AxisDifference, WithoutAnAxisIsOfTheCap) {
   const AxisDifference found = axis_difference(samples_at({{0, 0, 0}}), {}, {{{0, 0, -5}}, {5}}, 1.0, 20.0);
   EXPECT_EQ(found.by_feet[0], 20.0);
   EXPECT_EQ(found.by_balls[0], 5.0);
-  EXPECT_EQ(found.place[0], AxisPlace::ridge_end);
+  EXPECT_EQ(found.place[0], AxisPlace::missed);
 }
 
 }  // namespace

@@ -116,10 +116,11 @@ TEST(FootPoints, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.radii, four.radii);
 }
 
-// On a coarse lattice the points are far apart for the tube's radius of a few voxels.
+// With a tube of little more than a voxel the lattice misses long parts of the axis, and λ is that of the next part.
+// What is left after halving is mostly the spline, which moves so thin a tube's surface.
 TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
   const auto error = [](int halvings) {
-    const Axis axis("torus", 28, halvings);
+    const Axis axis("torus", 18, halvings);
     const FeatureSize feet = axis.feature_size();
     std::vector<double> errors;
     for (const Eigen::Vector3d& x : axis.samples.points) {
@@ -133,7 +134,8 @@ TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
   const double halved = error(1);
   RecordProperty("published", std::to_string(published));
   RecordProperty("halved", std::to_string(halved));
-  EXPECT_LT(halved, published);
+  EXPECT_GT(published, 1.0);
+  EXPECT_LT(halved, 0.25);
 }
 
 struct Agreement {
@@ -160,7 +162,7 @@ TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
   RecordProperty("median", std::to_string(found.median));
   RecordProperty("p95", std::to_string(found.p95));
   RecordProperty("differing", std::to_string(found.differing));
-  const char* names[] = {"thin", "ridge_end", "other"};
+  const char* names[] = {"thin", "missed", "other"};
   for (std::size_t place = 0; place < 3; ++place) {
     RecordProperty(std::string(names[place]) + "_share", std::to_string(found.share[place]));
     RecordProperty(std::string(names[place]) + "_of_differing", std::to_string(found.share_of_differing[place]));

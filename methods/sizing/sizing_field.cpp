@@ -96,7 +96,7 @@ void show_difference(const SurfaceSamples& samples, const MedialBalls& feet, dou
   monitor.set("axis/difference median %", 100.0 * difference.median);
   monitor.set("axis/difference p95 voxels", difference.p95);
   monitor.set("axis/differing by a voxel %", difference.differing);
-  const std::array<const char*, 3> places = {"thin", "ridge end", "other"};
+  const std::array<const char*, 3> places = {"thin", "missed", "other"};
   for (std::size_t p = 0; p < places.size(); ++p) {
     monitor.set(std::string("axis/share %, ") + places[p], difference.share[p]);
     monitor.set(std::string("axis/share of the differing %, ") + places[p], difference.share_of_differing[p]);
