@@ -192,7 +192,7 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
   return {
       stage("medial_axis", preset.medial_axis, "where feature sizes come from", {"shrinking-balls", "foot-points"}),
       {"axis_halvings",
-       1.0,
+       0.0,
        "",
        "of foot-points: how often the lattice that they are sought from is halved near the surface; 0 as published",
        0.0,

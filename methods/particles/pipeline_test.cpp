@@ -101,7 +101,7 @@ TEST(Particles2007, LeavesTracesAndArtefacts) {
   ASSERT_GT(traces.at("energy").size(), 10U);
   EXPECT_EQ(traces.at("moves").size(), traces.at("energy").size());
   EXPECT_LE(traces.at("particles").size(), monitor.counters().at("particles/rounds"));
-  EXPECT_EQ(monitor.artefacts().size(), 3U);
+  EXPECT_EQ(monitor.artefacts().size(), 4U);
   const Artefact& particles = monitor.artefacts().at("particles");
   EXPECT_EQ(static_cast<double>(particles.points.size()), monitor.counters().at("particles/count"));
   EXPECT_EQ(particles.data.at("h").size(), particles.points.size());

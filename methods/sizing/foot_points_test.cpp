@@ -13,6 +13,7 @@
 #include "datasets/catalogue.h"
 #include "datasets/phantoms.h"
 #include "methods/marching-cubes/marching_cubes.h"
+#include "methods/sizing/axis_difference.h"
 
 namespace isobench {
 namespace {
@@ -24,12 +25,13 @@ struct Axis {
   SurfaceSamples samples;
   MedialBalls points;
 
-  Axis(const std::string& name, int nodes) : Axis(Isosurface(sample_phantom(phantom(name), nodes), 0.0), Monitor()) {}
-  Axis(Isosurface made, Monitor&& monitor)
+  Axis(const std::string& name, int nodes, int halvings = 0)
+      : Axis(Isosurface(sample_phantom(phantom(name), nodes), 0.0), Monitor(), halvings) {}
+  Axis(Isosurface made, Monitor&& monitor, int halvings = 0)
       : surface(std::move(made)),
         cap(0.5 * surface.extent().minCoeff()),
         samples(surface_samples(surface, marching_cubes(surface, monitor).vertices)),
-        points(foot_point_axis(surface, samples, monitor)) {}
+        points(foot_point_axis(surface, samples, monitor, halvings)) {}
 
   FeatureSize feature_size() const { return {points, surface.voxel(), cap}; }
   FeatureSize feature_size_of_balls() const {
@@ -114,6 +116,28 @@ TEST(FootPoints, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.radii, four.radii);
 }
 
+// With a tube of little more than a voxel the lattice misses long parts of the axis, and λ is that of the next part.
+// What is left after halving is mostly the spline, which moves so thin a tube's surface.
+TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
+  const auto error = [](int halvings) {
+    const Axis axis("torus", 18, halvings);
+    const FeatureSize feet = axis.feature_size();
+    std::vector<double> errors;
+    for (const Eigen::Vector3d& x : axis.samples.points) {
+      const double truth = phantom("torus").feature_size(axis.surface.lattice().to_world(x));
+      errors.push_back(std::abs(feet(x) / truth - 1.0));
+    }
+    std::sort(errors.begin(), errors.end());
+    return errors[errors.size() * 95 / 100];
+  };
+  const double published = error(0);
+  const double halved = error(1);
+  RecordProperty("published", std::to_string(published));
+  RecordProperty("halved", std::to_string(halved));
+  EXPECT_GT(published, 1.0);
+  EXPECT_LT(halved, 0.25);
+}
+
 struct Agreement {
   const char* volume;
   double median;  // relative
@@ -133,25 +157,18 @@ TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
   Dataset dataset = load_dataset(GetParam().volume, monitor);
   const Axis axis(std::move(*dataset.surface), Monitor());
   const double voxel = axis.surface.voxel();
-  const FeatureSize feet = axis.feature_size();
-  const FeatureSize balls = axis.feature_size_of_balls();
-  std::vector<double> relative;
-  std::vector<double> absolute;
-  for (std::size_t n = 0; n < axis.samples.points.size(); ++n) {
-    const Eigen::Vector3d& x = axis.samples.points[n];
-    const Curvatures& k = axis.samples.curvature[n];
-    const double radius = 1.0 / std::max(std::abs(k.k1), std::abs(k.k2));
-    const double by_feet = std::min(feet(x), radius);
-    const double by_balls = std::min(balls(x), radius);
-    relative.push_back(std::abs(by_feet / by_balls - 1.0));
-    absolute.push_back(std::abs(by_feet - by_balls) / voxel);
+  const MedialBalls balls = shrinking_balls(axis.samples, voxel, axis.cap, monitor);
+  const AxisDifference found = axis_difference(axis.samples, axis.points, balls, voxel, axis.cap);
+  RecordProperty("median", std::to_string(found.median));
+  RecordProperty("p95", std::to_string(found.p95));
+  RecordProperty("differing", std::to_string(found.differing));
+  const char* names[] = {"thin", "missed", "other"};
+  for (std::size_t place = 0; place < 3; ++place) {
+    RecordProperty(std::string(names[place]) + "_share", std::to_string(found.share[place]));
+    RecordProperty(std::string(names[place]) + "_of_differing", std::to_string(found.share_of_differing[place]));
   }
-  std::sort(absolute.begin(), absolute.end());
-  const double p95 = absolute[absolute.size() * 95 / 100];
-  RecordProperty("median", std::to_string(median(relative)));
-  RecordProperty("p95", std::to_string(p95));
-  EXPECT_LE(median(relative), GetParam().median);
-  EXPECT_LE(p95, GetParam().p95);
+  EXPECT_LE(found.median, GetParam().median);
+  EXPECT_LE(found.p95, GetParam().p95);
 }
 
 // One voxel, and 1.2 on the pelvis: on its wide bones the axis ends in ridges of large radius, along which the angle

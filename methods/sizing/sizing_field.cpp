@@ -10,6 +10,7 @@
 
 #include "datasets/error.h"
 #include "methods/marching-cubes/marching_cubes.h"
+#include "methods/sizing/axis_difference.h"
 #include "methods/sizing/foot_points.h"
 #include "methods/sizing/limit.h"
 #include "methods/sizing/point_tree.h"
@@ -86,6 +87,31 @@ std::vector<float> initial_field(const Isosurface& surface, const Band& band, co
   return h0;
 }
 
+/// Where foot points give other sizes than the balls would: for someone to look at, where artefacts are asked for, and
+/// for the record then.
+void show_difference(const SurfaceSamples& samples, const MedialBalls& feet, double voxel, double cap,
+                     Monitor& monitor) {
+  const auto stage = monitor.stage("difference");
+  AxisDifference difference = axis_difference(samples, feet, shrinking_balls(samples, voxel, cap, monitor), voxel, cap);
+  monitor.set("axis/difference median %", 100.0 * difference.median);
+  monitor.set("axis/difference p95 voxels", difference.p95);
+  monitor.set("axis/differing by a voxel %", difference.differing);
+  const std::array<const char*, 3> places = {"thin", "missed", "other"};
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    monitor.set(std::string("axis/share %, ") + places[p], difference.share[p]);
+    monitor.set(std::string("axis/share of the differing %, ") + places[p], difference.share_of_differing[p]);
+  }
+  Artefact shown;
+  shown.points = samples.points;
+  for (std::size_t n = 0; n < samples.points.size(); ++n) {
+    shown.data["difference"].push_back(difference.by_feet[n] - difference.by_balls[n]);
+    shown.data["place"].push_back(static_cast<double>(difference.place[n]));
+  }
+  shown.data["foot-points"] = std::move(difference.by_feet);
+  shown.data["shrinking-balls"] = std::move(difference.by_balls);
+  monitor.artefact("axis-difference", std::move(shown));
+}
+
 FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& samples, const SizingStages& stages,
                             Monitor& monitor) {
   // No ball inside the object is larger than half the volume's shortest side.
@@ -96,6 +122,7 @@ FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& sam
   if (monitor.keeps_artefacts()) monitor.artefact("medial-axis", {axis.centres, {{"radius", axis.radii}}});
   if (!feet) return {axis, surface.voxel()};  // its balls hold to the cap
   monitor.set("axis/points", static_cast<double>(axis.centres.size()));
+  if (monitor.keeps_artefacts()) show_difference(samples, axis, surface.voxel(), cap, monitor);
   return {axis, surface.voxel(), cap};
 }
 

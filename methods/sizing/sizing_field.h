@@ -85,7 +85,9 @@ inline constexpr const char* own_h0 = "own_h0";
 
 /// Computes the field of a request, in stages "samples", "axis", "band", "limit" of the monitor's current stage.
 /// Artefacts: "medial-axis", its points with their distance from the surface as "radius", and "sizing", the band's
-/// nodes with "h0" and "h".
+/// nodes with "h0" and "h". With foot points also "axis-difference", the surface's samples with min(λ, 1/|κ|) by
+/// "foot-points" and by "shrinking-balls", their "difference" (mm) and the "place" (0 thin, 1 missed, 2 other; see
+/// axis_difference.h), and its figures as counters "axis/…": only where artefacts are kept, for it costs an axis more.
 SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
                               const SizingStages& stages = {});
 
