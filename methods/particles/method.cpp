@@ -10,16 +10,16 @@ Method method_particles() {
   method.summary =
       "Particles on F = c relaxed to a hexagonal packing under the sizing field, closed by a sign-labelled Delaunay "
       "triangulation (after Meyer, Kirby, Whitaker 2007)";
-  method.revision = 2;
+  method.revision = 3;
   method.parameters = particles::pipeline_parameters({.medial_axis = "shrinking-balls",
                                                       .sizing_nodes = "projected",
-                                                      .limiter = "fast-marching",
+                                                      .limiter = "fast-iterative",
                                                       .seeds = "elimination",
                                                       .relaxation = "newton",
                                                       .surface = "labelled-delaunay",
                                                       .cure = 20.0,
                                                       .gradation = 0.3,
-                                                      .finish = 12.0});
+                                                      .finish = 3.0});
   method.mesh = particles::mesh_by_particles;
   return method;
 }

@@ -12,7 +12,7 @@ namespace isobench::particles {
 struct Preset {
   std::string medial_axis;   ///< "shrinking-balls", "foot-points"
   std::string sizing_nodes;  ///< "projected", "bounding"
-  std::string limiter;       ///< "fast-marching", "iteration"
+  std::string limiter;       ///< "fast-iterative", "iteration"
   std::string seeds;         ///< "elimination", "marching-cubes"
   std::string relaxation;    ///< "newton", "gauss-seidel", each with its own control of the population
   std::string surface;       ///< "labelled-delaunay", "tight-cocone"

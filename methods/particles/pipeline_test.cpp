@@ -39,7 +39,7 @@ const std::vector<Choice> published{
     {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"},  {"finish", "0"}};
 const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"},
                                {"sizing_nodes", "projected"},
-                               {"limiter", "fast-marching"},
+                               {"limiter", "fast-iterative"},
                                {"seeds", "elimination"},
                                {"relaxation", "newton"},
                                {"surface", "labelled-delaunay"},

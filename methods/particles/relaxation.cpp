@@ -15,8 +15,10 @@ namespace isobench::particles {
 
 namespace {
 
-constexpr double momentum = 0.6;
-constexpr double damping = 0.5;       // of the Newton step: neighbours move at the same time
+// Momentum is what lets the packing's faults wander and meet: with 0.8, forty sweeps come to more valences of 6 than
+// eighty with 0.6 and half the step. With longer steps than Newton's, or more momentum, the particles keep swinging.
+constexpr double momentum = 0.8;
+constexpr double damping = 1.0;       // of the Newton step
 constexpr double largest_step = 0.3;  // in units of h
 constexpr double skin = 0.2;          // lists reach this much farther than the potential, so that they last some sweeps
 constexpr double stray_share = 0.01;  // lists are made anew when this share of particles has used up half the skin

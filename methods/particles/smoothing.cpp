@@ -13,7 +13,7 @@ namespace {
 
 using Index = EditableMesh::Index;
 
-constexpr double at_rest = 1e-3;      // of the mean distance to the neighbours
+constexpr double at_rest = 5e-3;      // of the mean distance to the neighbours
 constexpr double largest_step = 0.3;  // of it
 
 }  // namespace

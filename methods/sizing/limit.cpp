@@ -1,17 +1,18 @@
 #include "methods/sizing/limit.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
-#include <queue>
-#include <utility>
 
 namespace isobench {
 
 namespace {
 
-/// The lower neighbours of a node so far and the U that solves Σ (U − u)²/s² = δ² over them. Marching accepts
-/// neighbours from the lowest up, so each is added once and a neighbour at or above U changes nothing, nor does any
-/// after it.
+/// The U that solves Σ (U − u)²/s² = δ² over a node's lower neighbours, told from the lowest up: one at or above U
+/// changes nothing, nor does any after it.
 class Upwind {
  public:
   /// Returns U after adding a neighbour at `value` whose distance is s.
@@ -35,10 +36,18 @@ class Upwind {
   double second_ = 0.0;    // Σ u²/s²
 };
 
-class FastMarching {
+/// All nodes of a pass are computed from the values before it, so the order among them, and with it the number of
+/// threads, does not matter. A node depends on lower ones only: once those are final so is it, and a pass in which
+/// nothing falls comes after as many passes as the longest chain of such nodes.
+class ActiveNodes {
  public:
-  FastMarching(const Band& band, const std::vector<float>& h0, double delta)
-      : band_(band), h_(h0.begin(), h0.end()), upwind_(h0.size()), done_(h0.size(), 0), delta_(delta) {
+  ActiveNodes(const Band& band, const std::vector<float>& h0, double delta)
+      : band_(band),
+        h_(h0.begin(), h0.end()),
+        next_(h0.size()),
+        active_(h0.size(), 1),
+        blocks_((h0.size() + block - 1) / block, 1),
+        delta_(delta) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double s = band.spacing()[static_cast<Eigen::Index>(axis)];
       inverse_square_[axis] = 1.0 / (s * s);
@@ -46,42 +55,77 @@ class FastMarching {
   }
 
   std::vector<float> run(Monitor& monitor) {
-    std::vector<Entry> entries(h_.size());
-    for (std::size_t n = 0; n < h_.size(); ++n) entries[n] = {h_[n], static_cast<std::int32_t>(n)};
-    Queue queue(std::greater<>(), std::move(entries));
-    std::size_t accepted = 0;
-    while (!queue.empty()) {
-      const auto [value, n] = queue.top();
-      queue.pop();
-      const auto node = static_cast<std::size_t>(n);
-      if (done_[node] != 0) continue;  // an entry from before the value fell
-      done_[node] = 1;
-      if (++accepted % 65536 == 0) monitor.progress(static_cast<double>(accepted) / static_cast<double>(h_.size()));
-      const LatticeNeighbours around = lattice_neighbours(band_, node);
-      for (std::size_t side = 0; side < 6; ++side) {
-        if (around[side] >= 0) tell(static_cast<std::size_t>(around[side]), value, side, queue);
-      }
+    while (std::any_of(blocks_.begin(), blocks_.end(), [](std::uint8_t flag) { return flag != 0; })) {
+      monitor.check();
+      compute();
+      apply();
     }
     return {h_.begin(), h_.end()};
   }
 
  private:
-  using Entry = std::pair<double, std::int32_t>;
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+  static constexpr std::size_t block = 1024;
 
-  /// Tells node n of a neighbour accepted at `value`.
-  void tell(std::size_t n, double value, std::size_t side, Queue& queue) {
-    if (done_[n] != 0) return;
-    const double limited = upwind_[n].add(value, inverse_square_[side / 2], delta_);
-    if (!(limited < h_[n])) return;
-    h_[n] = limited;
-    queue.emplace(limited, static_cast<std::int32_t>(n));
+  /// Calls visit(n) for the active nodes of all blocks that have one, in parallel.
+  template <typename Visit>
+  void visit_active(const std::vector<std::uint8_t>& blocks, const std::vector<std::uint8_t>& active, Visit visit) {
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+      if (blocks[b] == 0) return;
+      for (std::size_t n = b * block; n < std::min(active.size(), (b + 1) * block); ++n) {
+        if (active[n] != 0) visit(n);
+      }
+    });
+  }
+
+  void compute() {
+    visit_active(blocks_, active_, [&](std::size_t n) { next_[n] = limited(n); });
+  }
+
+  /// Lets nodes fall, and rouses the neighbours of those that did.
+  void apply() {
+    std::vector<std::uint8_t> roused(active_.size(), 0);
+    std::vector<std::uint8_t> roused_blocks(blocks_.size(), 0);
+    visit_active(blocks_, active_, [&](std::size_t n) {
+      if (!(next_[n] < h_[n])) return;
+      h_[n] = next_[n];
+      for (const std::int32_t other : lattice_neighbours(band_, n)) {
+        if (other < 0) continue;
+        const auto m = static_cast<std::size_t>(other);
+        std::atomic_ref(roused[m]).store(1, std::memory_order_relaxed);
+        std::atomic_ref(roused_blocks[m / block]).store(1, std::memory_order_relaxed);
+      }
+    });
+    active_ = std::move(roused);
+    blocks_ = std::move(roused_blocks);
+  }
+
+  double limited(std::size_t n) const {
+    struct Lower {
+      double value;
+      double inverse_square;
+    };
+    std::array<Lower, 6> lower{};
+    std::size_t count = 0;
+    const LatticeNeighbours around = lattice_neighbours(band_, n);
+    for (std::size_t side = 0; side < 6; ++side) {
+      if (around[side] < 0) continue;
+      const double value = h_[static_cast<std::size_t>(around[side])];
+      if (!(value < h_[n])) continue;
+      std::size_t at = count++;
+      for (; at > 0 && lower[at - 1].value > value; --at) lower[at] = lower[at - 1];
+      lower[at] = {value, inverse_square_[side / 2]};
+    }
+    Upwind upwind;
+    double u = h_[n];
+    for (std::size_t k = 0; k < count; ++k) u = upwind.add(lower[k].value, lower[k].inverse_square, delta_);
+    return std::min(u, h_[n]);
   }
 
   const Band& band_;
   std::vector<double> h_;
-  std::vector<Upwind> upwind_;
-  std::vector<char> done_;
+  std::vector<double> next_;
+  std::vector<std::uint8_t> active_;  // a flag each: something near the node has fallen
+  std::vector<std::uint8_t> blocks_;  // a flag for each `block` nodes: one of them is active
   double delta_;
   std::array<double, 3> inverse_square_{};
 };
@@ -95,7 +139,7 @@ LatticeNeighbours lattice_neighbours(const Band& band, std::size_t n) {
 }
 
 std::vector<float> limit_gradient(const Band& band, const std::vector<float>& h0, double delta, Monitor& monitor) {
-  return FastMarching(band, h0, delta).run(monitor);
+  return ActiveNodes(band, h0, delta).run(monitor);
 }
 
 double upwind_gradient_norm(const Band& band, const std::vector<float>& h, std::size_t node) {

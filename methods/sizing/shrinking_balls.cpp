@@ -90,22 +90,26 @@ class BallSearch {
  public:
   BallSearch(const SurfaceSamples& samples, const PointTree& tree) : samples_(samples), tree_(tree) {}
 
+  /// `start` > 0 is a guess: the ball grows from it if it is too small. A huge ball would be slow, for from afar all
+  /// samples are equally near.
   double radius(std::size_t sample, const Eigen::Vector3d& direction, double osculating, double start) const {
-    const Eigen::Vector3d& p = samples_.points[sample];
     double radius = std::min(start, osculating);
     for (;;) {
-      const double shrunk = shrink(p, direction, radius);
+      const double shrunk = shrink(sample, direction, radius);
       if (shrunk < radius || radius >= osculating) return shrunk;
       radius = std::min(2.0 * radius, osculating);
     }
   }
 
  private:
-  double shrink(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double radius) const {
+  double shrink(std::size_t sample, const Eigen::Vector3d& direction, double radius) const {
+    const Eigen::Vector3d& p = samples_.points[sample];
     constexpr int max_steps = 50;
+    std::size_t touched = sample;  // no nearest sample is farther away than the one that the ball touched last
     for (int step = 0; step < max_steps; ++step) {
-      const auto [nearest, distance] = tree_.nearest(p + radius * direction);
+      const auto [nearest, distance] = tree_.nearest(p + radius * direction, touched);
       if (distance >= radius * (1.0 - 1e-6)) return radius;
+      touched = nearest;
       const Eigen::Vector3d to = samples_.points[nearest] - p;
       const double height = direction.dot(to);
       if (!(height > 0.0)) return radius;  // the sample itself, or one that no tangent ball can touch
@@ -157,22 +161,28 @@ MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double 
   const std::size_t count = samples.points.size();
   const PointTree tree(samples.points);
   const BallSearch search(samples, tree);
-  const double start = 4.0 * voxel;
+  constexpr double guess = 1.2;  // times the neighbour's radius: mostly enough, and little to shrink
   const auto osculating = [cap](double bend) { return bend > 1.0 / cap ? 1.0 / bend : cap; };
   MedialBalls balls;
   balls.centres.resize(2 * count);
   balls.radii.resize(2 * count);
-  // In slices, so that progress can be told from the calling thread.
+  // In slices, so that progress can be told from the calling thread. Samples in a row are mostly neighbours on the
+  // surface, so a sample's balls are the guess for the next one's; rows are cut at the same places for any number of
+  // threads, because the last digits of a radius depend on the guess.
   constexpr std::size_t slice = 1 << 16;
+  constexpr std::size_t row = 256;
   for (std::size_t first = 0; first < count; first += slice) {
     monitor.progress(static_cast<double>(first) / static_cast<double>(count));
-    const std::size_t last = std::min(count, first + slice);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 256), [&](const auto& range) {
-      for (std::size_t n = range.begin(); n < range.end(); ++n) {
+    const std::size_t rows = (std::min(count, first + slice) - first + row - 1) / row;
+    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t r) {
+      double inner = 4.0 * voxel;
+      double outer = inner;
+      const std::size_t begin = first + r * row;
+      for (std::size_t n = begin; n < std::min(count, begin + row); ++n) {
         const Eigen::Vector3d& normal = samples.normals[n];
         // Inside, a ball touches where the surface is convex (κ1 > 0); outside, where it is concave (κ2 < 0).
-        const double inner = search.radius(n, -normal, osculating(samples.curvature[n].k1), start);
-        const double outer = search.radius(n, normal, osculating(-samples.curvature[n].k2), start);
+        inner = search.radius(n, -normal, osculating(samples.curvature[n].k1), guess * inner);
+        outer = search.radius(n, normal, osculating(-samples.curvature[n].k2), guess * outer);
         balls.centres[2 * n] = samples.points[n] - inner * normal;
         balls.radii[2 * n] = inner;
         balls.centres[2 * n + 1] = samples.points[n] + outer * normal;

@@ -60,14 +60,14 @@ void band_of_the_surface(benchmark::State& state) {
 }
 BENCHMARK(band_of_the_surface)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void limiting_by_fast_marching(benchmark::State& state) {
+void limiting_by_fast_iterative(benchmark::State& state) {
   Monitor monitor;
   field();
   for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(limit_gradient(*field().band(), field().h0_nodes(), 0.3, monitor));
   per_item(state, field().band()->size());
 }
-BENCHMARK(limiting_by_fast_marching)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(limiting_by_fast_iterative)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void asking_for_h(benchmark::State& state) {
   field();

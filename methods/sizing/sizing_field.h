@@ -63,7 +63,7 @@ class SizingField {
 };
 
 enum class MedialAxis { shrinking_balls, foot_points };
-enum class Limiter { fast_marching, iteration };
+enum class Limiter { fast_iterative, iteration };
 /// Where h0 is computed. `projected`: within two nodes of the surface, λ and κ of the place where a node projects to.
 /// `bounding`: as published, at the corners of the cells that the surface crosses, λ and κ of the node itself. Across
 /// the surface λ then changes by a node's own distance, and the limiter, which brings the larger side down, leaves h
@@ -73,7 +73,7 @@ enum class SizingNodes { projected, bounding };
 /// How a field comes about. The defaults are *the* h0 and h of every table; a method may make its own field otherwise.
 struct SizingStages {
   MedialAxis medial_axis = MedialAxis::shrinking_balls;
-  Limiter limiter = Limiter::fast_marching;
+  Limiter limiter = Limiter::fast_iterative;
   SizingNodes nodes = SizingNodes::projected;
   int axis_halvings = 0;  ///< of foot points: how often the lattice is halved near the surface; 0 as published
   bool operator==(const SizingStages&) const = default;

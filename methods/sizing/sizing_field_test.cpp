@@ -47,7 +47,7 @@ TEST(SizingStages, FootPointsGiveTheSizesOfShrinkingBalls) {
   Monitor monitor;
   const SizingField balls = make_sizing_field(surface, request(), monitor);
   const SizingField feet =
-      make_sizing_field(surface, request(), monitor, {MedialAxis::foot_points, Limiter::fast_marching});
+      make_sizing_field(surface, request(), monitor, {MedialAxis::foot_points, Limiter::fast_iterative});
   const std::vector<double> apart = differences(feet, balls);
   EXPECT_LT(apart[apart.size() / 2], 0.02);
   EXPECT_GT(apart.back(), 0.0) << "the stage must change something";
@@ -78,11 +78,11 @@ TEST(SizingStages, LeaveTheMedialAxisBehindWhereAsked) {
   const Isosurface surface = torus();
   for (const MedialAxis kind : {MedialAxis::shrinking_balls, MedialAxis::foot_points}) {
     Monitor silent;
-    make_sizing_field(surface, request(), silent, {kind, Limiter::fast_marching});
+    make_sizing_field(surface, request(), silent, {kind, Limiter::fast_iterative});
     EXPECT_TRUE(silent.artefacts().empty());
     Monitor keeping;
     keeping.keep_artefacts(true);
-    make_sizing_field(surface, request(), keeping, {kind, Limiter::fast_marching});
+    make_sizing_field(surface, request(), keeping, {kind, Limiter::fast_iterative});
     const Artefact& axis = keeping.artefacts().at("medial-axis");
     EXPECT_GT(axis.points.size(), 100U);
     EXPECT_EQ(axis.data.at("radius").size(), axis.points.size());
