@@ -19,6 +19,7 @@ Method method_particles() {
                                                       .surface = "labelled-delaunay",
                                                       .cure = 20.0,
                                                       .gradation = 0.3,
+                                                      .critical_floor = 0.02,
                                                       .finish = 3.0});
   method.mesh = particles::mesh_by_particles;
   return method;

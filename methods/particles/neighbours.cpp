@@ -8,6 +8,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 namespace isobench::particles {
 
@@ -44,9 +46,14 @@ class Grids {
     tbb::parallel_sort(entries.begin(), entries.end());
     fill_cells(entries);
     fill_table();
+    find_finer_cells();
   }
 
   int level_count() const { return level_count_; }
+  /// The occupied cells of finer grids that have room for neighbours of a cell's particles.
+  std::span<const std::uint32_t> finer_than(std::size_t cell) const {
+    return {finer_.data() + finer_first_[cell], finer_first_[cell + 1] - finer_first_[cell]};
+  }
   double cell_width(int level) const { return std::ldexp(finest_, level + 1); }
   const std::vector<std::uint32_t>& order() const { return order_; }
   const std::vector<Occupied>& cells() const { return cells_; }
@@ -113,6 +120,44 @@ class Grids {
     }
   }
 
+  /// A finer grid's particles reach no farther than its cells are wide, so each fine cell looks for the few coarse ones
+  /// about it: a coarse one's box would have too many fine cells to look for, nearly all of them empty.
+  void find_finer_cells() {
+    struct Pair {
+      std::uint32_t coarse;
+      std::uint32_t fine;
+    };
+    constexpr std::size_t chunk = 1024;
+    std::vector<std::vector<Pair>> pairs((cells_.size() + chunk - 1) / chunk);
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t c) {
+      for (std::size_t n = c * chunk; n < std::min(cells_.size(), (c + 1) * chunk); ++n) {
+        const double width = cell_width(cells_[n].level);
+        const Eigen::Vector3d low = low_ + width * index_of(cells_[n].key).cast<double>();
+        const Eigen::Vector3d margin = Eigen::Vector3d::Constant(width);
+        for (int level = cells_[n].level + 1; level < level_count_; ++level) {
+          visit_box(level, low - margin, low + 2.0 * margin, [&](const Occupied& coarse) {
+            pairs[c].push_back({static_cast<std::uint32_t>(&coarse - cells_.data()), static_cast<std::uint32_t>(n)});
+          });
+        }
+      }
+    });
+    finer_first_.assign(cells_.size() + 1, 0);
+    for (const auto& some : pairs) {
+      for (const Pair& pair : some) ++finer_first_[pair.coarse + 1];
+    }
+    std::partial_sum(finer_first_.begin(), finer_first_.end(), finer_first_.begin());
+    finer_.resize(finer_first_.back());
+    std::vector<std::uint32_t> next(finer_first_.begin(), finer_first_.end() - 1);
+    for (const auto& some : pairs) {
+      for (const Pair& pair : some) finer_[next[pair.coarse]++] = pair.fine;
+    }
+  }
+
+  static Eigen::Vector3i index_of(std::uint64_t key) {
+    const auto part = [key](int shift) { return static_cast<int>(key >> shift & 0x7FFFF) - 1; };
+    return {part(38), part(19), part(0)};
+  }
+
   std::uint32_t find(std::uint64_t wanted) const {
     std::size_t at = mix(wanted) & (table_.size() - 1);
     while (table_[at] != none && cells_[table_[at]].key != wanted) at = (at + 1) & (table_.size() - 1);
@@ -125,6 +170,8 @@ class Grids {
   std::vector<std::uint32_t> order_;
   std::vector<Occupied> cells_;
   std::vector<std::uint32_t> table_;
+  std::vector<std::uint32_t> finer_first_;
+  std::vector<std::uint32_t> finer_;
 };
 
 /// Particles that may be near one of a cell's, their coordinates side by side for the loop that tests them.
@@ -157,16 +204,17 @@ void gather(const Grids& grids, const Grids::Occupied& cell, const std::vector<E
     farthest = std::max(farthest, reach[i]);
   }
   candidates.clear();
-  for (int level = 0; level < grids.level_count(); ++level) {
-    // A finer grid's particles reach no farther than the width of its cells.
-    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(std::min(farthest, grids.cell_width(level)));
-    grids.visit_box(level, low - margin, high + margin, [&](const Grids::Occupied& other) {
-      for (std::uint32_t n = other.first; n < other.first + other.count; ++n) {
-        const std::uint32_t j = grids.order()[n];
-        candidates.add(j, points[j], reach[j]);
-      }
-    });
-  }
+  const auto add_all = [&](const Grids::Occupied& other) {
+    for (std::uint32_t n = other.first; n < other.first + other.count; ++n) {
+      const std::uint32_t j = grids.order()[n];
+      candidates.add(j, points[j], reach[j]);
+    }
+  };
+  for (const std::uint32_t fine : grids.finer_than(static_cast<std::size_t>(&cell - grids.cells().data())))
+    add_all(grids.cells()[fine]);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(farthest);
+  for (int level = cell.level; level < grids.level_count(); ++level)
+    grids.visit_box(level, low - margin, high + margin, add_all);
 }
 
 void append_neighbours(std::uint32_t i, const Eigen::Vector3d& point, double reach, const Candidates& candidates,

@@ -1,17 +1,21 @@
 #include "methods/particles/pipeline.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "datasets/error.h"
 #include "methods/labelled_delaunay.h"
 #include "methods/marching-cubes/marching_cubes.h"
 #include "methods/particles/biased_population.h"
 #include "methods/particles/cure.h"
+#include "methods/particles/fine_places.h"
 #include "methods/particles/finish.h"
 #include "methods/particles/gauss_seidel.h"
 #include "methods/particles/population.h"
 #include "methods/particles/relaxation.h"
 #include "methods/particles/seeds.h"
+#include "methods/sizing/critical_points.h"
 #include "methods/sizing/limit.h"
 #include "methods/tight_cocone/tight_cocone.h"
 
@@ -60,6 +64,33 @@ double contraction(const MeshingTask& task) {
   return task.sizing.uniform() ? 1.0 : g;
 }
 
+/// Critical points of F that are nearer to the surface than the floor can show, and what is done about them.
+std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField& field, Monitor& monitor) {
+  if (task.sizing.uniform()) return std::nullopt;
+  const auto stage = monitor.stage("critical points");
+  const double voxel = task.surface.voxel();
+  const double epsilon = *task.sizing.epsilon;
+  std::vector<CriticalPoint> points =
+      critical_points(task.surface, *field.band(), field.floor_length() / (2.0 * epsilon));
+  monitor.set("floor/places", static_cast<double>(points.size()));
+  if (monitor.keeps_artefacts()) {
+    Artefact places;
+    for (const CriticalPoint& point : points) {
+      places.points.push_back(point.position);
+      places.data["distance"].push_back(point.distance);
+      places.data["falling"].push_back(point.falling);
+    }
+    monitor.artefact("floor-places", std::move(places));
+  }
+  const double least = task.parameters.number("critical_floor") * voxel;
+  const auto left = std::count_if(points.begin(), points.end(),
+                                  [&](const CriticalPoint& point) { return 2.0 * epsilon * point.distance < least; });
+  monitor.set("floor/places left", static_cast<double>(left));
+  if (!(least < field.floor_length())) return std::nullopt;
+  const double delta = std::min(*task.sizing.delta, task.parameters.number("gradation"));
+  return FinePlaces(task.surface, std::move(points), epsilon, delta, least);
+}
+
 Particles seed(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh, Monitor& monitor) {
   std::vector<Eigen::Vector3d> points;
   if (chosen(task, "seeds", "marching-cubes")) {
@@ -69,6 +100,7 @@ Particles seed(const MeshingTask& task, const Spacing& spacing, const TriangleMe
     points = eliminate_to_seeds(task.surface, lattice_mesh, spacing, static_cast<std::size_t>(std::llround(ideal)),
                                 task.parameters.number("candidates"), task.seed, monitor);
   }
+  if (spacing.finer != nullptr) add_seeds_at(*spacing.finer, task.surface, spacing, task.seed, points);
   monitor.set("particles/seeds", static_cast<double>(points.size()));
   return make_particles(task.surface, spacing, std::move(points));
 }
@@ -230,6 +262,15 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
        100.0,
        {},
        false},
+      {"critical_floor",
+       preset.critical_floor,
+       "voxels",
+       "near critical points of F that are closer to the surface than the floor, sizes go down to this; from the floor "
+       "on: not",
+       0.001,
+       1000.0,
+       {},
+       false},
       {"contraction",
        1.5,
        "",
@@ -269,7 +310,8 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
 
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   const auto field = sizing_field(task, monitor);
-  const Spacing spacing{*field, contraction(task)};
+  const auto finer = fine_places(task, *field, monitor);
+  const Spacing spacing{*field, contraction(task), finer ? &*finer : nullptr};
   TriangleMesh lattice_mesh;
   Particles all;
   {

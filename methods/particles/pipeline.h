@@ -10,15 +10,16 @@ namespace isobench::particles {
 
 /// Names of stages, as the parameters of the same names take them.
 struct Preset {
-  std::string medial_axis;   ///< "shrinking-balls", "foot-points"
-  std::string sizing_nodes;  ///< "projected", "bounding"
-  std::string limiter;       ///< "fast-iterative", "iteration"
-  std::string seeds;         ///< "elimination", "marching-cubes"
-  std::string relaxation;    ///< "newton", "gauss-seidel", each with its own control of the population
-  std::string surface;       ///< "labelled-delaunay", "tight-cocone"
-  double cure = 0.0;         ///< rounds, at most, in which particles are added to cure the triangulation
-  double gradation = 100.0;  ///< largest δ that is meshed by
-  double finish = 0.0;       ///< rounds in which valences and shapes of the mesh are made good
+  std::string medial_axis;        ///< "shrinking-balls", "foot-points"
+  std::string sizing_nodes;       ///< "projected", "bounding"
+  std::string limiter;            ///< "fast-iterative", "iteration"
+  std::string seeds;              ///< "elimination", "marching-cubes"
+  std::string relaxation;         ///< "newton", "gauss-seidel", each with its own control of the population
+  std::string surface;            ///< "labelled-delaunay", "tight-cocone"
+  double cure = 0.0;              ///< rounds, at most, in which particles are added to cure the triangulation
+  double gradation = 100.0;       ///< largest δ that is meshed by
+  double critical_floor = 100.0;  ///< voxels: h goes down to this near critical points of F; the floor's or more: not
+  double finish = 0.0;            ///< rounds in which valences and shapes of the mesh are made good
 };
 
 /// The parameters of a method with these stages as its defaults.

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "datasets/isosurface.h"
 #include "datasets/monitor.h"
+#include "methods/particles/fine_places.h"
 #include "methods/sizing/sizing_field.h"
 #include "methods/triangle_mesh.h"
 
@@ -15,8 +17,12 @@ namespace isobench::particles {
 /// How far apart particles shall be at a point: h/g.
 struct Spacing {
   const SizingField& field;
-  double contraction = 1.0;  ///< g
-  double operator()(const Eigen::Vector3d& x) const { return field.h(x) / contraction; }
+  double contraction = 1.0;           ///< g
+  const FinePlaces* finer = nullptr;  ///< where h is smaller than the field can say
+  double operator()(const Eigen::Vector3d& x) const {
+    const double h = field.h(x);
+    return (finer == nullptr ? h : std::min(h, finer->bound(x))) / contraction;
+  }
 };
 
 /// Σ area · 2/(√3 h²): how many particles a hexagonal packing of that spacing has on the mesh.

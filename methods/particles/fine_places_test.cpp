@@ -1,0 +1,69 @@
+// A bridge far thinner than the sizing's floor: two spheres whose fields nearly join.
+#include "methods/particles/fine_places.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "methods/method.h"
+#include "methods/particles/seeds.h"
+
+namespace isobench::particles {
+namespace {
+
+Isosurface dumb_bell(double off) {
+  constexpr int nodes = 40;
+  const Eigen::Vector3d a(13.2, 19.4, 19.7);
+  const Eigen::Vector3d b(26.1, 19.4, 19.7);
+  const auto f = [&](const Eigen::Vector3d& x) {
+    return std::exp(-(x - a).squaredNorm() / 30.0) + std::exp(-(x - b).squaredNorm() / 30.0);
+  };
+  Volume volume;
+  volume.lattice.size = {nodes, nodes, nodes};
+  for (int k = 0; k < nodes; ++k) {
+    for (int j = 0; j < nodes; ++j) {
+      for (int i = 0; i < nodes; ++i) volume.samples.push_back(static_cast<float>(f(Eigen::Vector3d(i, j, k))));
+    }
+  }
+  return {std::move(volume), f(0.5 * (a + b)) + off, Inside::above, Kernel::interpolating_bspline};
+}
+
+long euler_of(const TriangleMesh& mesh) {
+  return static_cast<long>(mesh.vertices.size()) - static_cast<long>(mesh.triangles.size()) / 2;
+}
+
+TEST(FinePlaces, BoundRisesFromThePlaceAndEndsFourVoxelsAway) {
+  const Isosurface surface = dumb_bell(-0.0005);
+  CriticalPoint point;
+  point.position = {20.0, 19.0, 20.0};
+  point.distance = 0.1;
+  const FinePlaces places(surface, {point}, 0.5, 0.3, 0.02);
+  EXPECT_DOUBLE_EQ(places.edge_at(0), 0.1);
+  EXPECT_DOUBLE_EQ(places.bound(point.position), 0.1);
+  EXPECT_DOUBLE_EQ(places.bound(point.position + Eigen::Vector3d(0.0, 1.0, 0.0)), 0.1 + 0.3);
+  EXPECT_GT(places.bound(point.position + Eigen::Vector3d(3.9, 0.0, 0.0)), 0.1 + 0.3 * 3.9 + 0.5);
+  EXPECT_EQ(places.bound(point.position + Eigen::Vector3d(0.0, 0.0, -4.1)), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(places.bound({0.0, 0.0, 0.0}), std::numeric_limits<double>::infinity());
+}
+
+// A bridge, and a gap, of a few hundredths of a voxel: only their topology tells them apart, χ 2 and 4.
+TEST(FinePlaces, MakeParticlesMeshABridgeThinnerThanTheFloor) {
+  for (const double off : {-2e-5, 2e-5}) {
+    const Isosurface surface = dumb_bell(off);
+    const Method& particles = method("particles");
+    SizingRequest sizing;
+    sizing.epsilon = 0.5;
+    sizing.delta = 0.3;
+    Monitor monitor;
+    const MeshingTask task(surface, sizing, Parameters(particles.parameters), 1);
+    const TriangleMesh mesh = particles.mesh(task, monitor);
+    EXPECT_EQ(monitor.counters().at("floor/places"), 1.0);
+    EXPECT_EQ(monitor.counters().at("floor/places left"), 0.0);
+    EXPECT_EQ(euler_of(mesh), off < 0.0 ? 2 : 4);
+    EXPECT_LT(mesh.vertices.size(), 20000U);
+  }
+}
+
+}  // namespace
+}  // namespace isobench::particles
