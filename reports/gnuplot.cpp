@@ -51,7 +51,7 @@ std::string data_blocks(const Plot& plot) {
     text += fmt::format("$series{} << END\n", n + 1);
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       text += number(series.x[i]) + " " + number(series.y[i]);
-      if (in_categories(plot)) text += " " + double_quoted(plot.categories[i]);
+      if (in_categories(plot)) text += fmt::format(" {}", double_quoted(plot.categories[i]));
       text += "\n";
     }
     text += "END\n";

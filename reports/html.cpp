@@ -31,7 +31,7 @@ std::string cell_html(const TableCell& cell, bool label) {
     theirs.published_unit = cell.published_unit;
     body += (body.empty() ? "" : " ") + fmt::format("<span class=\"published\">{}</span>", html_escaped(theirs.text()));
   }
-  if (label) return "<th scope=\"row\">" + body + "</th>";
+  if (label) return fmt::format("<th scope=\"row\">{}</th>", body);
   const char* kind = cell.figures.empty() ? "" : " class=\"number\"";
   return fmt::format("<td{}{}>{}</td>", kind, sort_key(cell), body);
 }
