@@ -32,7 +32,8 @@ TEST(AxisEnds, OfASphereAreItsCentre) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : ends.samples.points) middle += x / static_cast<double>(ends.samples.points.size());
   for (const Eigen::Vector3d& centre : ends.found.centres) {
-    ASSERT_LT((centre - middle).norm(), 0.05 * ends.surface.voxel());
+    // The spline through samples of a distance bends by half a percent more or less than the sphere of 20 mm.
+    ASSERT_LT((centre - middle).norm(), 0.01 * 20.0);
   }
 }
 
