@@ -81,7 +81,7 @@ TEST(Published, ThePapersFiguresAreAllThere) {
   EXPECT_EQ(paper.find("radius_ratio_min", "skull", "marching-cubes")->printed, "0.000");
   for (const char* dataset : {"brain", "pelvis", "skull", "vessel"}) {
     for (const char* quantity : {"volume_size", "epsilon", "delta", "minutes", "vertices", "triangles",
-                                 "radius_ratio_min", "radius_ratio_avg", "edge_over_h0_exceed_triangle_percent"}) {
+                                 "radius_ratio_min", "radius_ratio_avg", "edge_over_own_h0_exceed_triangle_percent"}) {
       EXPECT_NE(paper.find(quantity, dataset, "particles-2007"), nullptr) << dataset << " " << quantity;
     }
   }

@@ -214,15 +214,13 @@ Table seed_table(const Arrangement& runs) {
 
 std::vector<Table> all_tables(const Results& results) {
   const Arrangement runs = arrange(results);
-  std::vector<Table> tables = {sizes_table(results, runs),
-                               radius_ratio_table(results, runs),
-                               valence_table(results, runs),
-                               edge_length_table(results, runs),
-                               topology_table(runs),
-                               distance_table(runs),
-                               cost_table(runs),
-                               seed_table(runs),
-                               match_table(results)};
+  std::vector<Table> tables = ablation_tables(runs);
+  for (Table& table :
+       std::vector<Table>{sizes_table(results, runs), radius_ratio_table(results, runs), valence_table(results, runs),
+                          edge_length_table(results, runs), topology_table(runs), distance_table(runs),
+                          cost_table(runs), seed_table(runs), match_table(results)}) {
+    tables.push_back(std::move(table));
+  }
   for (Table& stages : stage_tables(runs)) tables.push_back(std::move(stages));
   for (Table& grid : sizing_grid_tables(results)) tables.push_back(std::move(grid));
   std::erase_if(tables, [](const Table& table) { return table.empty(); });

@@ -30,6 +30,9 @@ Table distance_table(const Arrangement& runs);
 Table cost_table(const Arrangement& runs);
 /// Of each method that tells of two stages or more, where its time goes: one row a run, one column a stage.
 std::vector<Table> stage_tables(const Arrangement& runs);
+/// Of each method of which at least two variants differ from one and the same in a single parameter: what changing it
+/// does to quality, edges above h0, topology and seconds. One row a data set and change, the base before them.
+std::vector<Table> ablation_tables(const Arrangement& runs);
 Table seed_table(const Arrangement& runs);  ///< spread over seeds and repeats, and whether repeats agree
 Table match_table(const Results& results);  ///< what was matched to what, and how near it came
 

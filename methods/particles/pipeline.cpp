@@ -32,6 +32,7 @@ SizingStages sizing_stages(const MeshingTask& task) {
   if (task.sizing.uniform()) return stages;
   if (chosen(task, "medial_axis", "foot-points")) {
     stages.medial_axis = MedialAxis::foot_points;
+    if (chosen(task, "axis_ends", "curvature-centres")) stages.axis_ends = AxisEnds::curvature_centres;
     stages.axis_halvings = task.parameters.integer("axis_halvings");
   }
   if (chosen(task, "limiter", "iteration")) stages.limiter = Limiter::iteration;
@@ -223,8 +224,11 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
   };
   return {
       stage("medial_axis", preset.medial_axis, "where feature sizes come from", {"shrinking-balls", "foot-points"}),
+      stage("axis_ends", "curvature-centres",
+            "of foot-points: where the axis ends, taken from the surface's curvature or left out as published",
+            {"left-out", "curvature-centres"}),
       {"axis_halvings",
-       0.0,
+       2.0,
        "",
        "of foot-points: how often the lattice that they are sought from is halved near the surface; 0 as published",
        0.0,

@@ -14,8 +14,8 @@ namespace isobench {
 /// the axis lies between q and q*, at m = p + s u, u = (q − p)/|q − p|, where m is as far from p as from the tangent
 /// plane at p*. Foot points start from the nearest of `samples`; where there are none, there is no axis.
 ///
-/// As published, the ends of the axis, where the angle closes, are not found: there 1/|κ| is the smaller bound. A shape
-/// without an axis (a plane) gives no points. Multi-threaded; points come in the order of the nodes, whatever the
+/// As published, the ends of the axis, where the angle closes, are not found (axis_ends.h finds them). A shape without
+/// an axis (a plane) gives no points. Multi-threaded; points come in the order of the nodes, whatever the
 /// number of threads. Cost: two nearest-neighbour queries a lattice node, and a few projections near the axis.
 ///
 /// The points lie about a node apart, so the distance to the nearest of them is more than that to the axis: for λ of a

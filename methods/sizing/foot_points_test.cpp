@@ -14,6 +14,7 @@
 #include "datasets/phantoms.h"
 #include "methods/marching-cubes/marching_cubes.h"
 #include "methods/sizing/axis_difference.h"
+#include "methods/sizing/axis_ends.h"
 
 namespace isobench {
 namespace {
@@ -24,6 +25,13 @@ struct Axis {
   double cap;
   SurfaceSamples samples;
   MedialBalls points;
+
+  void add_ends() {
+    Monitor monitor;
+    const MedialBalls ends = axis_ends(samples, cap, monitor);
+    points.centres.insert(points.centres.end(), ends.centres.begin(), ends.centres.end());
+    points.radii.insert(points.radii.end(), ends.radii.begin(), ends.radii.end());
+  }
 
   Axis(const std::string& name, int nodes, int halvings = 0)
       : Axis(Isosurface(sample_phantom(phantom(name), nodes), 0.0), Monitor(), halvings) {}
@@ -47,28 +55,31 @@ double median(std::vector<double> values) {
 
 class FootPointsOfPhantom : public testing::TestWithParam<Phantom> {};
 
-// The ends of the axis are not found, by design: the median is what can be claimed, 10 %, and 1/κ closes the gap.
+// By the median, 10 %: where the axis ends and its ends are left out, 1/|κ| closes the gap at the ridge alone.
 TEST_P(FootPointsOfPhantom, AgreeWithTheClosedFormAndWithShrinkingBalls) {
   const Phantom& shape = GetParam();
-  const Axis axis(shape.name, 64);
-  const FeatureSize feet = axis.feature_size();
+  Axis axis(shape.name, 64);
   const FeatureSize balls = axis.feature_size_of_balls();
-  std::vector<double> errors;
-  std::vector<double> differences;
-  for (std::size_t n = 0; n < axis.samples.points.size(); ++n) {
-    const Eigen::Vector3d& x = axis.samples.points[n];
-    const Curvatures& k = axis.samples.curvature[n];
-    const double radius = 1.0 / std::max(std::abs(k.k1), std::abs(k.k2));
-    differences.push_back(std::abs(std::min(feet(x), radius) / std::min(balls(x), radius) - 1.0));
-    if (!shape.feature_size) continue;
-    const double truth = std::min(axis.cap, shape.feature_size(axis.surface.lattice().to_world(x)));
-    errors.push_back(std::abs(feet(x) / truth - 1.0));
+  for (const bool ends : {false, true}) {
+    if (ends) axis.add_ends();
+    const FeatureSize feet = axis.feature_size();
+    std::vector<double> errors;
+    std::vector<double> differences;
+    for (std::size_t n = 0; n < axis.samples.points.size(); ++n) {
+      const Eigen::Vector3d& x = axis.samples.points[n];
+      const double radius = 1.0 / axis.samples.curvature[n].max_abs();
+      differences.push_back(std::abs(std::min(feet(x), radius) / std::min(balls(x), radius) - 1.0));
+      if (!shape.feature_size) continue;
+      const double truth = std::min(axis.cap, shape.feature_size(axis.surface.lattice().to_world(x)));
+      errors.push_back(std::abs(feet(x) / truth - 1.0));
+    }
+    const std::string which = ends ? "_with_ends" : "_published";
+    RecordProperty("difference" + which, std::to_string(median(differences)));
+    EXPECT_LE(median(differences), 0.1) << which;
+    if (errors.empty()) continue;
+    RecordProperty("error" + which, std::to_string(median(errors)));
+    EXPECT_LE(median(errors), 0.1) << which;
   }
-  RecordProperty("difference", std::to_string(median(differences)));
-  EXPECT_LE(median(differences), 0.1);
-  if (errors.empty()) return;
-  RecordProperty("error", std::to_string(median(errors)));
-  EXPECT_LE(median(errors), 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Phantoms, FootPointsOfPhantom, testing::ValuesIn(phantoms()), [](const auto& chosen) {
@@ -140,8 +151,7 @@ TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
 
 struct Agreement {
   const char* volume;
-  double median;  // relative
-  double p95;     // voxels
+  double published;  ///< voxels, at the 95th percentile
 };
 
 void PrintTo(const Agreement& expected, std::ostream* out) { *out << expected.volume; }
@@ -155,27 +165,35 @@ TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
   }
   Monitor monitor;
   Dataset dataset = load_dataset(GetParam().volume, monitor);
-  const Axis axis(std::move(*dataset.surface), Monitor());
+  Axis axis(std::move(*dataset.surface), Monitor());
   const double voxel = axis.surface.voxel();
   const MedialBalls balls = shrinking_balls(axis.samples, voxel, axis.cap, monitor);
-  const AxisDifference found = axis_difference(axis.samples, axis.points, balls, voxel, axis.cap);
-  RecordProperty("median", std::to_string(found.median));
-  RecordProperty("p95", std::to_string(found.p95));
-  RecordProperty("differing", std::to_string(found.differing));
-  const char* names[] = {"thin", "missed", "other"};
-  for (std::size_t place = 0; place < 3; ++place) {
-    RecordProperty(std::string(names[place]) + "_share", std::to_string(found.share[place]));
-    RecordProperty(std::string(names[place]) + "_of_differing", std::to_string(found.share_of_differing[place]));
-  }
-  EXPECT_LE(found.median, GetParam().median);
-  EXPECT_LE(found.p95, GetParam().p95);
+  const auto differ = [&](const std::string& which) {
+    const AxisDifference found = axis_difference(axis.samples, axis.points, balls, voxel, axis.cap);
+    RecordProperty(which + "_median", std::to_string(found.median));
+    RecordProperty(which + "_p95", std::to_string(found.p95));
+    RecordProperty(which + "_differing", std::to_string(found.differing));
+    const char* names[] = {"thin", "missed", "other"};
+    for (std::size_t place = 0; place < 3; ++place) {
+      const double share = found.share_of_differing[place];
+      RecordProperty(which + "_" + names[place] + "_of_differing", std::to_string(share));
+    }
+    return found;
+  };
+  const AxisDifference published = differ("published");
+  EXPECT_LE(published.median, 0.1);
+  EXPECT_LE(published.p95, GetParam().published);
+  axis.add_ends();
+  const AxisDifference with_ends = differ("with_ends");
+  EXPECT_LE(with_ends.median, 0.01);
+  EXPECT_LE(with_ends.p95, 0.25);
 }
 
-// One voxel, and 1.2 on the pelvis: on its wide bones the axis ends in ridges of large radius, along which the angle
-// stays below the published threshold for longer than that (with cos α = 0.95 it is 0.9 voxels).
+// As published, one voxel, and 1.2 on the pelvis: along its wide bones the axis ends in ridges 4 to 12 voxels round,
+// towards which the angle falls to 5 to 20°, below the published threshold. With the ends, a quarter of a voxel.
 INSTANTIATE_TEST_SUITE_P(RealData, FootPointsVolumesSlow,
-                         testing::Values(Agreement{"brain", 0.1, 1.0}, Agreement{"pelvis", 0.1, 1.2},
-                                         Agreement{"skull", 0.1, 1.0}, Agreement{"vessel", 0.1, 1.0}),
+                         testing::Values(Agreement{"brain", 1.0}, Agreement{"pelvis", 1.2}, Agreement{"skull", 1.0},
+                                         Agreement{"vessel", 1.0}),
                          [](const auto& chosen) { return chosen.param.volume; });
 
 }  // namespace

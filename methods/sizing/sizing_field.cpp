@@ -11,6 +11,7 @@
 #include "datasets/error.h"
 #include "methods/marching-cubes/marching_cubes.h"
 #include "methods/sizing/axis_difference.h"
+#include "methods/sizing/axis_ends.h"
 #include "methods/sizing/foot_points.h"
 #include "methods/sizing/limit.h"
 #include "methods/sizing/point_tree.h"
@@ -112,16 +113,27 @@ void show_difference(const SurfaceSamples& samples, const MedialBalls& feet, dou
   monitor.artefact("axis-difference", std::move(shown));
 }
 
+MedialBalls axis_of_feet(const Isosurface& surface, const SurfaceSamples& samples, const SizingStages& stages,
+                         double cap, Monitor& monitor) {
+  MedialBalls axis = foot_point_axis(surface, samples, monitor, stages.axis_halvings);
+  monitor.set("axis/points", static_cast<double>(axis.centres.size()));
+  if (stages.axis_ends == AxisEnds::left_out) return axis;
+  const MedialBalls ends = axis_ends(samples, cap, monitor);
+  monitor.set("axis/ends", static_cast<double>(ends.centres.size()));
+  axis.centres.insert(axis.centres.end(), ends.centres.begin(), ends.centres.end());
+  axis.radii.insert(axis.radii.end(), ends.radii.begin(), ends.radii.end());
+  return axis;
+}
+
 FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& samples, const SizingStages& stages,
                             Monitor& monitor) {
   // No ball inside the object is larger than half the volume's shortest side.
   const double cap = 0.5 * surface.extent().minCoeff();
   const bool feet = stages.medial_axis == MedialAxis::foot_points;
-  const MedialBalls axis = feet ? foot_point_axis(surface, samples, monitor, stages.axis_halvings)
+  const MedialBalls axis = feet ? axis_of_feet(surface, samples, stages, cap, monitor)
                                 : shrinking_balls(samples, surface.voxel(), cap, monitor);
   if (monitor.keeps_artefacts()) monitor.artefact("medial-axis", {axis.centres, {{"radius", axis.radii}}});
   if (!feet) return {axis, surface.voxel()};  // its balls hold to the cap
-  monitor.set("axis/points", static_cast<double>(axis.centres.size()));
   if (monitor.keeps_artefacts()) show_difference(samples, axis, surface.voxel(), cap, monitor);
   return {axis, surface.voxel(), cap};
 }

@@ -63,6 +63,9 @@ class SizingField {
 };
 
 enum class MedialAxis { shrinking_balls, foot_points };
+/// Of foot points: whether the ends of the axis are left out, as published, or taken from the surface's curvature
+/// (axis_ends.h).
+enum class AxisEnds { left_out, curvature_centres };
 enum class Limiter { fast_iterative, iteration };
 /// Where h0 is computed. `projected`: within two nodes of the surface, λ and κ of the place where a node projects to.
 /// `bounding`: as published, at the corners of the cells that the surface crosses, λ and κ of the node itself. Across
@@ -75,6 +78,7 @@ struct SizingStages {
   MedialAxis medial_axis = MedialAxis::shrinking_balls;
   Limiter limiter = Limiter::fast_iterative;
   SizingNodes nodes = SizingNodes::projected;
+  AxisEnds axis_ends = AxisEnds::left_out;
   int axis_halvings = 0;  ///< of foot points: how often the lattice is halved near the surface; 0 as published
   bool operator==(const SizingStages&) const = default;
 };
