@@ -101,7 +101,7 @@ TEST_F(ClusterFaultsSlow, LosesNothingWhenTasksAndNodesFail) {
                "title = \"Faults\"\ndataset = [\"sphere\", \"torus\"]\nseed = [1, 2, 3, 4, 5]\n[sampling]\n"
                "edge_length = 4\n[[method]]\nname = \"particles\"\n[limits]\nminutes = 5\nmemory_gb = 1\n"
                "[[override]]\ndataset = \"torus\"\nlimits = { minutes = 0.5 }\n");
-  submit_with("hang:*-s2-*;memory:torus-particles-*-s3-*", {"--chunk", "1"}, "submitted 10 of 10 cells in 10 tasks");
+  submit_with("hang:*-s2-*;memory:sphere-particles-*-s3-*", {"--chunk", "1"}, "submitted 10 of 10 cells in 10 tasks");
   // All but the sphere that hangs come to an end; that one is seen at work, with its task.
   become("7 done, 1 running, 1 timeout, 1 out of memory");
   run_command({"scancel", word_after(status(), ", job ")});
