@@ -4,9 +4,8 @@
 //   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which looks for inputs that do
 //     harm, starting from corpus/<name>/ beside the target;
 //   - the test Corpus.<name> of the folder's suite, which tries every file of that corpus, in any build.
-// Whatever harm is found becomes a file of the corpus when it is mended; the good files are made by write_seeds
-// (experiments/write_seeds.cpp). An input may be refused with a UsageError or a DataError. Everything else that leaves
-// a target is a finding.
+// Whatever harm is found becomes a file of the corpus when it is mended. An input may be refused with a UsageError or a
+// DataError. Everything else that leaves a target is a finding.
 #pragma once
 
 #include <cstdlib>

@@ -64,7 +64,9 @@ void add_experiment(CLI::App& verb, RunArguments& run) {
       ->required();
   verb.add_option("--out", run.out, "folder for <experiment>/ (default: results)");
   verb.add_option("--set", run.set, "a parameter of the methods: key=value; another experiment, so give --out");
-  verb.add_option("--seed", run.seed, "of everything random, in the place of the config's; give --out");
+  verb.add_option("--seed", run.seeds, "of everything random, in the place of the config's: 7 or 1,2,3; give --out")
+      ->delimiter(',')
+      ->allow_extra_args(false);  // the next word is the config
   verb.add_flag("--quick", run.quick, "the config's [quick] variant");
 }
 

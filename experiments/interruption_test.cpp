@@ -36,38 +36,6 @@ std::map<std::string, std::string> catalogue_in(const TestFolder& folder) {
   return {{"ISOBENCH_CATALOGUE", folder.path().string()}};
 }
 
-/// A line's fields; quoted ones may hold commas.
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> found(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == ',' && !quoted)
-      found.emplace_back();
-    else
-      found.back() += c;
-  }
-  return found;
-}
-
-/// results.csv without what a computation costs.
-std::vector<std::vector<std::string>> figures(const fs::path& results) {
-  std::istringstream text(text_of(results / "results.csv"));
-  std::vector<std::vector<std::string>> rows;
-  std::vector<bool> kept;
-  for (std::string line; std::getline(text, line);) {
-    const std::vector<std::string> all = fields(line);
-    if (rows.empty()) {
-      for (const std::string& name : all) kept.push_back(!name.starts_with("seconds_") && name != "peak_memory_mb");
-    }
-    rows.emplace_back();
-    for (std::size_t n = 0; n < all.size(); ++n) {
-      if (kept.at(n)) rows.back().push_back(all[n]);
-    }
-  }
-  return rows;
-}
-
 /// Every path in a folder, relative to it.
 std::set<std::string> listing(const fs::path& folder) {
   std::set<std::string> paths;

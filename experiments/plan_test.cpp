@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <set>
 
 #include "datasets/test_folder.h"
+#include "methods/method.h"
 
 namespace isobench {
 namespace {
@@ -72,7 +74,14 @@ name = "flying-edges"
   EXPECT_FALSE(plan[1].limit_memory_gb.has_value());
 }
 
-const char* const ablation = R"(dataset = ["torus", "sphere"]
+// Three numbers of sweeps, the one in the middle the method's own default.
+std::array<int, 3> around_the_default() {
+  const int sweeps = Parameters(method("particles").parameters).integer("sweeps");
+  return {sweeps + 1, sweeps, sweeps + 2};
+}
+
+std::string ablation() {
+  const std::string text = R"(dataset = ["torus", "sphere"]
 [sampling]
 epsilon = 0.5
 delta = 0.3
@@ -88,36 +97,39 @@ key = "sampling.epsilon"
 values = [0.5, 0.75, 1.0]
 [[vary]]
 key = "method.particles.sweeps"
-values = [5, 60, 10]
 )";
+  return text + fmt::format("values = [{}]\n", fmt::join(around_the_default(), ", "));
+}
 
 TEST(Plan, VariesOneThingAtATimeFromOneBase) {
   std::vector<std::string> names;
-  for (const RunRequest& r : plan_of(ablation)) {
+  for (const RunRequest& r : plan_of(ablation())) {
     names.push_back(fmt::format("{} {} {}", r.dataset, r.label, *r.sizing.epsilon));
   }
-  // 60 sweeps are the default: the base is there once. What is varied goes over the sphere's override.
+  // The default is the base, which is there once. What is varied goes over the sphere's override.
+  const std::string more = fmt::format("particles sweeps={}", around_the_default()[0]);
+  const std::string most = fmt::format("particles sweeps={}", around_the_default()[2]);
   EXPECT_EQ(names, (std::vector<std::string>{
-                       "torus particles 0.5",            //
-                       "torus particles 0.75",           //
-                       "torus particles 1",              //
-                       "torus particles sweeps=5 0.5",   //
-                       "torus particles sweeps=10 0.5",  //
-                       "torus marching-cubes 0.5",       //
-                       "torus marching-cubes 0.75",      //
-                       "torus marching-cubes 1",         //
-                       "sphere particles 1",             //
-                       "sphere particles 0.5",           //
-                       "sphere particles 0.75",          //
-                       "sphere particles sweeps=5 1",    //
-                       "sphere particles sweeps=10 1",   //
-                       "sphere marching-cubes 1",        //
-                       "sphere marching-cubes 0.5",      //
+                       "torus particles 0.5",       //
+                       "torus particles 0.75",      //
+                       "torus particles 1",         //
+                       "torus " + more + " 0.5",    //
+                       "torus " + most + " 0.5",    //
+                       "torus marching-cubes 0.5",  //
+                       "torus marching-cubes 0.75",
+                       "torus marching-cubes 1",
+                       "sphere particles 1",
+                       "sphere particles 0.5",
+                       "sphere particles 0.75",
+                       "sphere " + more + " 1",
+                       "sphere " + most + " 1",
+                       "sphere marching-cubes 1",
+                       "sphere marching-cubes 0.5",
                        "sphere marching-cubes 0.75",
                    }));
-  for (const RunRequest& r : plan_of(ablation)) {
-    EXPECT_EQ(r.label == "particles sweeps=10",
-              r.method == "particles" && r.parameters.at("sweeps") == ParameterValue(10.0));
+  for (const RunRequest& r : plan_of(ablation())) {
+    const auto sweeps = static_cast<double>(around_the_default()[2]);
+    EXPECT_EQ(r.label == most, r.method == "particles" && r.parameters.at("sweeps") == ParameterValue(sweeps));
   }
 }
 

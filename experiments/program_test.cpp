@@ -1,9 +1,11 @@
 // Exit codes and sentences of the program, and what its verbs print.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "experiments/test_program.h"
+#include "methods/method.h"
 
 namespace isobench {
 namespace {
@@ -197,8 +199,15 @@ TEST_F(ProgramVerbs, SetAndSeedMakeAnotherExperiment) {
     return run(with({"run", config, "--dry-run", "--only", "torus/particles"}, more)).out;
   };
   EXPECT_NE(plan({"--seed", "7"}).find("to do      torus-particles-e0.5-d0.3-s7-"), std::string::npos);
-  EXPECT_EQ(plan({"--set", "sweeps=60"}), plan({}));  // the default
-  EXPECT_NE(plan({"--set", "sweeps=5"}), plan({}));
+  const std::string several = plan({"--seed", "3,5"});
+  for (const char* name : {"to do      torus-particles-e0.5-d0.3-s3-", "to do      torus-particles-e0.5-d0.3-s5-"}) {
+    EXPECT_NE(several.find(name), std::string::npos) << several;
+  }
+  EXPECT_EQ(run({"run", "--seed", "3,5", config, "--dry-run", "--only", "torus/particles"}).out, several);
+  expect({"run", config, "--dry-run", "--seed", "3,x"}, 2, "--seed");
+  const int sweeps = Parameters(method("particles").parameters).integer("sweeps");
+  EXPECT_EQ(plan({"--set", fmt::format("sweeps={}", sweeps)}), plan({}));
+  EXPECT_NE(plan({"--set", fmt::format("sweeps={}", sweeps + 1)}), plan({}));
   expect({"run", config, "--dry-run", "--set", "swepes=5"}, 2, "did you mean 'sweeps'?");
 }
 

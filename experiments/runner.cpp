@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <csignal>
 #include <list>
 #include <memory>
 #include <set>
@@ -13,6 +12,7 @@
 #include "experiments/child.h"
 #include "experiments/ending.h"
 #include "experiments/plan.h"
+#include "experiments/stop_signals.h"
 
 namespace isobench {
 
@@ -21,29 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string own_plan = "request.json";  // in a run's temporary folder
-
-volatile std::sig_atomic_t stop_signal = 0;
-void remember_signal(int signal) { stop_signal = signal; }
-
-// Catches the signals that end a session while runs are going on.
-class SignalGuard {
- public:
-  SignalGuard() {
-    stop_signal = 0;
-    struct sigaction action {};
-    action.sa_handler = remember_signal;
-    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
-  }
-  ~SignalGuard() {
-    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
-  }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
-
- private:
-  static constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, 3> before_{};
-};
 
 // What a run that was stopped had no time to take away itself.
 void remove_scratch(const fs::path& folder) {
@@ -82,15 +59,15 @@ class Runner {
       : store_(store), options_(options), console_(console), total_(total) {}
 
   RunSummary run(const std::vector<RunRequest>& cells) {
-    const SignalGuard guard;
+    const StopSignals guard;
     for (const RunRequest& cell : cells) {
       pending_.push_back({&cell, pending_.size() + 1, store_.recorded(cell)});
       unfinished_.insert(cell.run);
     }
-    while (stop_signal == 0 && (!pending_.empty() || !active_.empty())) {
+    while (!StopSignals::arrived() && (!pending_.empty() || !active_.empty())) {
       start_what_can();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      for (std::size_t i = 0; i < active_.size() && stop_signal == 0;) {
+      for (std::size_t i = 0; i < active_.size() && !StopSignals::arrived();) {
         if (step(*active_[i]))
           active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(i));
         else
@@ -99,7 +76,7 @@ class Runner {
       show();
     }
     console_.clear();
-    summary_.interrupted = stop_signal != 0;
+    summary_.interrupted = StopSignals::arrived();
     active_.clear();  // kills the children, then removes their folders
     return summary_;
   }
@@ -107,7 +84,7 @@ class Runner {
  private:
   // In their order, but for those that wait for the run that they are matched to or for another process.
   void start_what_can() {
-    for (auto next = pending_.begin(); next != pending_.end() && stop_signal == 0;) {
+    for (auto next = pending_.begin(); next != pending_.end() && !StopSignals::arrived();) {
       if (!room_for(*next->request)) return;
       // What was left to another process is looked at again when all else is done: it may have been killed.
       const bool later = next->again && !active_.empty();

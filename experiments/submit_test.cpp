@@ -2,14 +2,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <numeric>
 
 #include "experiments/config.h"
 #include "experiments/plan.h"
 #include "experiments/store.h"
 #include "experiments/test_program.h"
+#include "reports/sample_records.h"
 
 namespace isobench {
 namespace {
@@ -25,9 +28,9 @@ const char* const two_spheres =
 /// sbatch and its like, as scripts: sbatch writes down its words and says a number.
 class FakeSlurm {
  public:
-  explicit FakeSlurm(const TestFolder& folder) : folder_(folder) {
+  explicit FakeSlurm(const TestFolder& folder, int array_size = 3) : folder_(folder) {
     write("sbatch", "[ \"$1\" = --version ] && exit 0\necho \"$@\" >>$0.calls\necho $((100 + $(wc -l <$0.calls)))");
-    write("scontrol", "echo 'MaxArraySize            = 3'");
+    write("scontrol", fmt::format("echo 'MaxArraySize            = {}'", array_size));
     write("squeue", "cat $0.queue 2>/dev/null || true");
   }
   std::map<std::string, std::string> environment() const {
@@ -109,6 +112,46 @@ TEST(Submit, SaysWhatSbatchRefused) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(has(outcome.err, "sbatch refused: sbatch: error: invalid partition")) << outcome.err;
   EXPECT_TRUE(has(run_program(folder.path(), {"status", "results/two"}, slurm.environment()).out, "12 missing"));
+}
+
+/// A sweep of 5,000 cells, a twentieth of what a plan may have, within a twentieth of the memory that such a plan may
+/// take (1 GB), besides what the program takes for itself and its libraries.
+TEST(SubmitSlow, StaysSmallForVeryManyCells) {
+  constexpr double most_mb = 50.0 + 100.0;
+  TestFolder folder;
+  const FakeSlurm slurm(folder, 1001);
+  std::vector<int> seeds(250);
+  std::iota(seeds.begin(), seeds.end(), 1);
+  folder.write("wide.toml", fmt::format("dataset = [\"sphere\", \"torus\"]\nseed = [{}]\n[sampling]\nepsilon = [0.3, "
+                                        "0.4, 0.5, 0.6, 0.7]\ndelta = [0.2, 0.3]\n[[method]]\nname = "
+                                        "\"marching-cubes\"\n[limits]\nminutes = 1\n",
+                                        fmt::join(seeds, ", ")));
+  const auto call = [&](const std::vector<std::string>& words) {
+    std::map<std::string, std::string> environment = slurm.environment();
+    environment["ISOBENCH_TABLES_ONLY"] = "false";
+    Outcome outcome = run_program(folder.path(), words, environment);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_LT(outcome.peak_memory_mb, most_mb) << words.front();
+    return outcome;
+  };
+  EXPECT_TRUE(has(call({"submit", "wide.toml"}).out, "submitted 5000 of 5000 cells in 1000 tasks: job 101;"));
+  std::string queue;
+  for (int task = 0; task < 1000; ++task) queue += fmt::format("101_{} PENDING\n", task);
+  slurm.queue(queue);
+  EXPECT_TRUE(has(call({"status", "results/wide"}).out, "5000 cells: 0 done, 5000 waiting"));
+  // A stand-in that takes no time: what a finished run leaves.
+  const fs::path results = folder.path() / "results/wide";
+  const std::vector<RunRequest> plan = plan_from_json(text_of(results / "plan.json"), "plan.json");
+  tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t n) {
+    RunRecord record = sample_record(plan[n].dataset, plan[n].method);
+    record.request = plan[n];
+    fs::create_directory(results / plan[n].run);
+    write_record(record, results / plan[n].run / "run.json");
+  });
+  EXPECT_TRUE(has(call({"status", "results/wide"}).out, "5000 cells: 5000 done"));
+  call({"report", "--quiet", "results/wide"});
+  EXPECT_EQ(figures(results).size(), plan.size() + 1);
+  EXPECT_LT(fs::file_size(results / "report.html"), 10000000U);
 }
 
 TEST(Cells, NeedAFrozenPlan) {

@@ -37,8 +37,8 @@ class Cluster {
         fmt::format("munged --force --key-file={0}/munge/key --socket={0}/munge/socket --pid-file={0}/munge/pid "
                     "--log-file={0}/munge/log --seed-file={0}/munge/seed",
                     root));
-    // Ports that another cluster of a test running beside this one does not have.
-    const int port = 20000 + 4 * (getpid() % 10000);
+    // Ports that another cluster of a test running beside this one does not have, below those of outgoing connections.
+    const int port = 10000 + 4 * (getpid() % 5000);
     folder_.write("slurm.conf", fmt::format(R"(ClusterName=test
 SlurmctldHost={1}
 SlurmctldPort={2}
@@ -59,7 +59,8 @@ ReturnToService=2
 MpiDefault=none
 AccountingStorageType=accounting_storage/none
 KillWait=2
-SlurmdTimeout=5
+SlurmdTimeout=30
+SlurmdParameters=config_overrides
 MaxArraySize=50
 NodeName=n1 NodeHostname={1} Port={3} CPUs=1 RealMemory=6000
 NodeName=n2 NodeHostname={1} Port={4} CPUs=1 RealMemory=6000
@@ -86,19 +87,19 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
   /// As a node that loses its power: the daemon and all that it had started.
   void kill_node(const std::string& name) const {
     stop("slurmd-" + name + ".pid");
-    for (const int pid : processes_mentioning("slurmstepd: [")) {
-      if (text_of(fmt::format("/proc/{}/environ", pid)).find("SLURMD_NODENAME=" + name) != std::string::npos)
-        kill(pid, SIGKILL);
-    }
-    for (const int pid : processes_mentioning(folder_of_runs_)) {
-      const std::string variables = text_of(fmt::format("/proc/{}/environ", pid));
-      if (variables.find("SLURMD_NODENAME=" + name) != std::string::npos) kill(pid, SIGKILL);
+    for (const std::string& who : {std::string("slurmstepd: ["), folder_of_runs_}) {
+      for (const int pid : processes_mentioning(who)) {
+        const std::string variables = text_of(fmt::format("/proc/{}/environ", pid));
+        const auto has = [&variables](const std::string& part) { return variables.find(part) != std::string::npos; };
+        // Another test's cluster has nodes of the same names.
+        if (has("SLURMD_NODENAME=" + name) && has("SLURM_CONF=" + configuration())) kill(pid, SIGKILL);
+      }
     }
   }
   void runs_in(const std::string& folder) { folder_of_runs_ = folder; }
   /// Waits until nothing is queued or running any more.
   static bool drained() {
-    return eventually([] { return run_command({"squeue", "--noheader"}).out.empty(); });
+    return eventually([] { return run_command({"squeue", "--noheader"}).out.empty(); }, std::chrono::minutes(5));
   }
 
  private:

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -31,6 +33,7 @@ struct Outcome {
   int signal = 0;
   std::string out;
   std::string err;
+  double peak_memory_mb = 0.0;  ///< largest resident memory, of it or of one that it ran
 };
 
 /// The program running in a folder, with additions to the environment.
@@ -56,8 +59,10 @@ class Program {
   void signal(int number) const { kill(pid_, number); }
   Outcome wait() const {
     int status = 0;
-    waitpid(pid_, &status, 0);
+    rusage used{};
+    wait4(pid_, &status, 0, &used);
     Outcome outcome;
+    outcome.peak_memory_mb = static_cast<double>(used.ru_maxrss) * 1.024e-3;
     if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
     outcome.out = text_of(folder_ / "stdout.txt");
@@ -91,12 +96,14 @@ inline std::size_t count_starting(const std::filesystem::path& folder, const std
 }
 
 /// True once the condition holds; gives up after a minute, far above what a phantom takes even under a sanitizer.
-inline bool eventually(const std::function<bool()>& condition) {
-  for (int tries = 0; tries < 6000; ++tries) {
+inline bool eventually(const std::function<bool()>& condition,
+                       std::chrono::steady_clock::duration patience = std::chrono::minutes(1)) {
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < patience) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return false;
+  return condition();
 }
 
 /// The processes that were started with `text` among their arguments.
@@ -110,6 +117,41 @@ inline std::vector<int> processes_mentioning(const std::string& text) {
   return found;
 }
 inline bool process_mentions(const std::string& text) { return !processes_mentioning(text).empty(); }
+
+/// A line's fields; quoted ones may hold commas.
+inline std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> found(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted)
+      found.emplace_back();
+    else
+      found.back() += c;
+  }
+  return found;
+}
+
+/// results.csv without what a computation costs and where it was done.
+inline std::vector<std::vector<std::string>> figures(const std::filesystem::path& results) {
+  std::istringstream text(text_of(results / "results.csv"));
+  std::vector<std::vector<std::string>> rows;
+  std::vector<bool> kept;
+  for (std::string line; std::getline(text, line);) {
+    const std::vector<std::string> all = fields(line);
+    if (rows.empty()) {
+      for (const std::string& name : all) {
+        kept.push_back(!name.starts_with("seconds_") && name != "peak_memory_mb" && name != "host" &&
+                       name != "exclusive");
+      }
+    }
+    rows.emplace_back();
+    for (std::size_t n = 0; n < all.size(); ++n) {
+      if (kept.at(n)) rows.back().push_back(all[n]);
+    }
+  }
+  return rows;
+}
 
 inline RunRecord record_of(const std::filesystem::path& results, const std::string& start) {
   return read_record(run_folder(results, start) / "run.json");

@@ -122,7 +122,7 @@ Config config_of(const RunArguments& arguments, const Source& source) {
   Config config = read_config(source.config, arguments.quick ? Size::quick : Size::full);
   if (!source.name.empty()) config.name = source.name;
   for (const std::string& setting : arguments.set) set_parameter(config, setting);
-  if (arguments.seed) config.seeds = {*arguments.seed};
+  if (!arguments.seeds.empty()) config.seeds = arguments.seeds;
   return config;
 }
 
@@ -143,7 +143,7 @@ void say_stopped(const RunSummary& summary) {
 // Some cells of a plan as it was frozen: what a task of a cluster does. The report is for when all are done.
 int run_some(const RunArguments& arguments, const CommonArguments& common) {
   const bool more =
-      arguments.only != "*" || arguments.out || !arguments.set.empty() || arguments.seed || arguments.quick;
+      arguments.only != "*" || arguments.out || !arguments.set.empty() || !arguments.seeds.empty() || arguments.quick;
   if (more || !std::filesystem::is_directory(arguments.config)) {
     throw UsageError(
         "--cells goes with a results folder alone, whose plan it takes as it is; freeze one by `isobench submit` or "

@@ -27,7 +27,7 @@ struct RunArguments {
   std::string only = "*";
   std::optional<std::filesystem::path> out;  ///< default: "results", or where the results folder is
   std::vector<std::string> set;              ///< key=value, over the config's
-  std::optional<std::uint64_t> seed;         ///< in the place of the config's
+  std::vector<std::uint64_t> seeds;          ///< in the place of the config's; empty: those
   int jobs = 1;
   bool force = false;
   bool dry_run = false;
@@ -41,7 +41,7 @@ struct FrozenPlan {
   std::filesystem::path folder;
   std::vector<RunRequest> plan;
 };
-/// Of a config, or of a results folder that has one; honours config, out, set, seed and quick.
+/// Of a config, or of a results folder that has one; honours config, out, set, seeds and quick.
 FrozenPlan freeze_plan(const RunArguments& arguments);
 /// plan.json of a results folder. Throws UsageError where there is none.
 std::vector<RunRequest> read_plan(const std::filesystem::path& folder);

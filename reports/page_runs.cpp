@@ -94,6 +94,9 @@ void add_outcome(const RunRecord& record, Facts& facts) {
   for (const std::string& note : record.notes) facts.add("note", note);
 }
 
+// More folds than that make a page of many megabytes that nobody unfolds.
+constexpr std::size_t most_runs = 1000;
+
 std::string run_html(const RunRecord& record) {
   Facts facts;
   add_outcome(record, facts);
@@ -113,7 +116,14 @@ std::string run_html(const RunRecord& record) {
 std::string provenance_html(const Results& results) {
   if (results.records.empty()) return "";
   std::string text = "<section id=\"runs\"><h2>Where each run comes from</h2>\n";
-  for (const RunRecord& record : results.records) text += run_html(record);
+  if (results.records.size() > most_runs) {
+    text += fmt::format(
+        "<p>{} runs are too many to be unfolded here: <a href=\"results.csv\">results.csv</a> has a row for each, and "
+        "the run.json in its folder says where it comes from.</p>\n",
+        results.records.size());
+  } else {
+    for (const RunRecord& record : results.records) text += run_html(record);
+  }
   return text + "</section>\n";
 }
 

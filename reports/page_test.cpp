@@ -121,6 +121,21 @@ TEST(Page, ShowsFailuresAndWhatIsNotDone) {
   EXPECT_NE(page(results, {}, folder.path()).find("No run is finished yet."), std::string::npos);
 }
 
+TEST(Page, StaysAPageForVeryManyRuns) {
+  Results results = sample_results();
+  const std::size_t usual = page(results, {}, TestFolder().path()).size();
+  RunRecord failed = sample_results().records.back();
+  for (std::uint64_t seed = 2; seed < 4000; ++seed) {
+    results.records.push_back(seed % 2 == 0 ? results.records.front() : failed);
+    results.records.back().request.seed = seed;
+  }
+  const std::string text = page(results, {}, TestFolder().path());
+  EXPECT_EQ(count_of(text, "<details class=\"run\">"), 0U);
+  EXPECT_NE(text.find("4002 runs are too many to be unfolded here"), std::string::npos);
+  EXPECT_NE(text.find("… and more: the first 1000 are shown."), std::string::npos);
+  EXPECT_LT(text.size(), usual + 300000);  // a thousand rows of what failed
+}
+
 TEST(Page, PutsEveryClaimUnderItsVerdict) {
   const Results results = sample_results();
   const std::string text = claims_html(results);

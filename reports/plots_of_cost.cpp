@@ -8,6 +8,7 @@
 
 #include "reports/plots.h"
 #include "reports/sizing_grid.h"
+#include "reports/timing.h"
 
 namespace isobench {
 
@@ -45,14 +46,44 @@ std::vector<std::string> parts_of(const Runs& runs) {
   return parts;
 }
 
+// For the end of a caption.
+std::string timing_note(const Arrangement& runs) {
+  const std::string remark = timing_remark(runs);
+  return remark.empty() ? "" : " " + remark;
+}
+
 double vertices_of(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
 
-// A point a finished run, of all datasets.
-Plot over_vertices(const Arrangement& runs, const std::string& name, const std::string& y_label, const Figure& y) {
+// What a plot of points has of a variant on a dataset; of seconds only what was timed alike.
+Runs shown(const Arrangement& runs, const Variant& variant, const std::string& dataset, bool timed) {
+  const Runs all = finished(find_runs(variant, dataset));
+  return timed ? timed_so(all, runs.timing) : all;
+}
+
+std::size_t number_shown(const Arrangement& runs, bool timed) {
+  std::size_t count = 0;
+  for (const Variant& variant : runs.variants) {
+    for (const std::string& dataset : runs.datasets) count += shown(runs, variant, dataset, timed).size();
+  }
+  return count;
+}
+
+double median_of(const Runs& runs, const Figure& figure) {
+  std::vector<double> values;
+  for (const RunRecord* run : runs) values.push_back(figure(*run));
+  return spread_of(std::move(values)).median;
+}
+
+// A point a finished run, of all datasets; where that would be a cloud, a point for the seeds and repeats of one cell.
+Plot over_vertices(const Arrangement& runs, const std::string& name, const std::string& y_label, const Figure& y,
+                   bool timed = false) {
+  constexpr std::size_t most_points = 2000;
+  const bool cloud = number_shown(runs, timed) > most_points;
   Plot plot;
   plot.name = name + "-over-vertices";
   plot.title = y_label + " over the number of vertices, all data sets";
-  plot.caption = "A point a finished run.";
+  plot.caption =
+      (cloud ? "Medians over seeds and repeats." : "A point a finished run.") + (timed ? timing_note(runs) : "");
   plot.x_label = "vertices";
   plot.y_label = y_label;
   plot.marks = Marks::points;
@@ -60,7 +91,13 @@ Plot over_vertices(const Arrangement& runs, const std::string& name, const std::
   for (std::size_t n = 0; n < runs.variants.size(); ++n) {
     Series series{runs.variants[n].name, n, {}, {}};
     for (const std::string& dataset : runs.datasets) {
-      for (const RunRecord* run : finished(find_runs(runs.variants[n], dataset))) {
+      const Runs group = shown(runs, runs.variants[n], dataset, timed);
+      if (cloud && !group.empty()) {
+        series.x.push_back(median_of(group, vertices_of));
+        series.y.push_back(median_of(group, y));
+        continue;
+      }
+      for (const RunRecord* run : group) {
         series.x.push_back(vertices_of(*run));
         series.y.push_back(y(*run));
       }
@@ -85,11 +122,10 @@ Plot grid_plot(const SizingGrid& grid, const std::string& name, const std::strin
     for (const double delta : deltas) {
       const auto cell = grid.cells.find({grid.epsilons[e], delta});
       if (cell == grid.cells.end()) continue;
-      std::vector<double> values;
-      for (const RunRecord* run : gated(cell->second)) values.push_back(figure(*run));
-      if (values.empty()) continue;
+      const Runs counting = gated(cell->second);
+      if (counting.empty()) continue;
       series.x.push_back(delta);
-      series.y.push_back(spread_of(std::move(values)).median);
+      series.y.push_back(median_of(counting, figure));
     }
     if (!series.x.empty()) plot.series.push_back(std::move(series));
   }
@@ -133,15 +169,16 @@ std::vector<Plot> stage_plots(const Arrangement& runs) {
     Plot plot;
     plot.name = "stages-" + dataset;
     plot.title = "Seconds by stage, " + dataset;
-    plot.caption = "Wall seconds from the prepared volume to the mesh; of several runs the first. Shorter is better.";
+    plot.caption = "Wall seconds from the prepared volume to the mesh; of several runs the first. Shorter is better." +
+                   timing_note(runs);
     plot.x_label = "";
     plot.y_label = "seconds";
     plot.marks = Marks::stack;
     Runs shown;
     for (const Variant& variant : runs.variants) {
-      const RunRecord* run = find_run(variant, dataset);
-      if (run == nullptr || run->status != Status::ok) continue;
-      shown.push_back(run);
+      const Runs alike = timed_so(finished(find_runs(variant, dataset)), runs.timing);
+      if (alike.empty()) continue;
+      shown.push_back(alike.front());
       plot.categories.push_back(variant.name);
     }
     if (shown.empty()) continue;
@@ -164,7 +201,8 @@ std::vector<Plot> size_plots(const Arrangement& runs) {
                                 [](const RunRecord& run) { return run.measurement->radius_ratio.min; }));
   plots.push_back(over_vertices(runs, "radius-ratio-avg", "average radius ratio",
                                 [](const RunRecord& run) { return run.measurement->radius_ratio.avg; }));
-  plots.push_back(over_vertices(runs, "seconds", "seconds", [](const RunRecord& run) { return run.seconds_total; }));
+  plots.push_back(over_vertices(
+      runs, "seconds", "seconds", [](const RunRecord& run) { return run.seconds_total; }, true));
   plots.back().log_y = true;
   std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
   return plots;

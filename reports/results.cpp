@@ -48,7 +48,7 @@ Results load_results(const fs::path& folder) {
   Results results;
   results.name = fs::canonical(folder).filename().string();
   results.title = title_of(folder, results.name);
-  const std::vector<RunRequest> plan = plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string());
+  std::vector<RunRequest> plan = plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string());
   results.records.reserve(plan.size());
   // Side by side, but a hundred thousand records are not to be held twice.
   constexpr std::size_t batch = 1024;
@@ -60,8 +60,9 @@ Results load_results(const fs::path& folder) {
       if (found[n].record)
         results.records.push_back(std::move(*found[n].record));
       else
-        results.missing.push_back(plan[start + n]);
+        results.missing.push_back(std::move(plan[start + n]));
       if (!found[n].problem.empty()) results.unreadable.push_back(std::move(found[n].problem));
+      plan[start + n] = {};  // its record says the same: both at once would be too much
     }
   }
   // Runs of an earlier revision or merged from elsewhere stay in the folder but not in the tables of this plan.

@@ -90,6 +90,7 @@ std::vector<Table> stage_tables(const Arrangement& runs) {
         "Wall seconds; what lies between stages is in the last sum alone. CPU / wall is how many cores were at work, "
         "on "
         "average."};
+    say_how_timed(runs, table);
     for (const std::string& dataset : runs.datasets) {
       for (const Variant& variant : runs.variants) {
         if (variant.method == method && !finished(find_runs(variant, dataset)).empty())

@@ -72,6 +72,10 @@ TableCell over_timed(const Arrangement& arrangement, const Runs& runs, const Fig
   return alike.empty() ? TableCell("§") : over_all(alike, figure, print);
 }
 
+void say_how_timed(const Arrangement& arrangement, Table& table) {
+  if (std::string remark = timing_remark(arrangement); !remark.empty()) table.remarks.push_back(std::move(remark));
+}
+
 TableCell beside(TableCell cell, const TableCell& next) {
   cell.figures.insert(cell.figures.end(), next.figures.begin(), next.figures.end());
   return cell;

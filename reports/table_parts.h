@@ -27,6 +27,8 @@ TableCell over(const Runs& runs, const Figure& figure, const Print& print);
 TableCell over_timed(const Arrangement& arrangement, const Runs& runs, const Figure& figure, const Print& print);
 /// The same over all finished runs: for what tells whether they may pass.
 TableCell over_all(const Runs& runs, const Figure& figure, const Print& print);
+/// timing_remark() under a table that has seconds, where there is one.
+void say_how_timed(const Arrangement& arrangement, Table& table);
 /// "a / b" in one cell.
 TableCell beside(TableCell cell, const TableCell& next);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "reports/sizing_grid.h"
@@ -57,16 +58,19 @@ Column whole(const std::string& title, Whole&& figure) {
 
 std::string provenance(const Results& results) {
   std::set<std::string> codes;
-  std::set<std::string> machines;
+  std::map<std::string, std::pair<double, double>> machines;  // least and greatest load
   for (const RunRecord& record : results.records) {
     const Environment& here = record.environment;
     codes.insert(fmt::format("isobench {} at {}{}, {} {}", here.version, here.commit.substr(0, 12),
                              here.dirty ? " with changes" : "", here.compiler, here.build_type));
-    machines.insert(fmt::format("{}, {} cores, {} threads", here.cpu, here.cores, record.threads));
+    const auto [place, fresh] = machines.try_emplace(timing_of(record), here.load, here.load);
+    place->second = {std::min(place->second.first, here.load), std::max(place->second.second, here.load)};
   }
   std::string text;
   for (const std::string& code : codes) text += "- made by " + code + "\n";
-  for (const std::string& machine : machines) text += "- on " + machine + "\n";
+  for (const auto& [machine, load] : machines) {
+    text += fmt::format("- on {}; load before the runs {:.1f} to {:.1f}\n", machine, load.first, load.second);
+  }
   return text.empty() ? "" : text + "\n";
 }
 
@@ -74,9 +78,11 @@ std::string gaps(const Results& results) {
   std::string text;
   for (const std::string& sentence : results.unreadable) text += "- " + sentence + "\n";
   if (!results.missing.empty()) {
+    constexpr std::size_t most = 20;
     text += fmt::format("- {} of {} runs are not done yet:", results.missing.size(),
                         results.missing.size() + results.records.size());
-    for (const RunRequest& request : results.missing) text += " " + request.run;
+    for (std::size_t n = 0; n < std::min(most, results.missing.size()); ++n) text += " " + results.missing[n].run;
+    if (results.missing.size() > most) text += fmt::format(" and {} more", results.missing.size() - most);
     text += "\n";
   }
   return text.empty() ? "" : "**Not in these tables**\n\n" + text + "\n";
@@ -94,13 +100,6 @@ std::string footnotes(const Results& results) {
   }
   if (any([](const RunRecord& record) { return record.match && !record.match->reason.empty(); })) {
     text += "‡ not of the number of vertices that it was to be matched to: see the table of matches.\n";
-  }
-  const Arrangement runs = arrange(results);
-  if (std::vector<std::string> others = all_timings(runs); others.size() > 1) {
-    std::erase(others, runs.timing);
-    text += fmt::format(
-        "§ Seconds are compared among the runs on {} alone; left out are those on {}: see results.csv and run.json.\n",
-        runs.timing, fmt::join(others, "; on "));
   }
   if (any([](const RunRecord& record) { return !record.deterministic; })) {
     std::set<std::string> names;
@@ -185,6 +184,7 @@ Table cost_table(const Arrangement& runs) {
   table.remarks = {
       "Wall seconds. Prepare reads and prepares the volume; a method that asks for no sizing field pays none; metrics "
       "and files are not counted. Peak memory is the process's, up to the finished mesh."};
+  say_how_timed(runs, table);
   return table;
 }
 
@@ -209,6 +209,7 @@ Table seed_table(const Arrangement& runs) {
                             over_timed(runs, group, seconds, to_significant(3)), sameness(group)});
     }
   }
+  say_how_timed(runs, table);
   return table;
 }
 

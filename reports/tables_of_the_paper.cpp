@@ -184,6 +184,7 @@ Table sizes_table(const Results& results, const Arrangement& runs) {
   }
   table.remarks = {
       "Time is that of sizing and method together, from the prepared volume in memory to the finished mesh."};
+  say_how_timed(runs, table);
   table.source = source_line(results, "Table 1");
   return table;
 }

@@ -6,6 +6,8 @@
 
 #include "reports/markdown.h"
 #include "reports/sample_records.h"
+#include "reports/timing.h"
+#include "reports/verdict.h"
 
 namespace isobench {
 namespace {
@@ -139,6 +141,33 @@ TEST(Tables, CostIsInSeconds) {
             (std::vector<std::string>{"1.50", "2.00", "3.25", "5.25", "321"}));
 }
 
+TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
+  Results results = sample_results();
+  for (RunRecord& record : results.records) {
+    record.environment.cpu = "slow";
+    record.environment.cores = 4;
+  }
+  EXPECT_EQ(timing_remark(arrange(results)), "");
+  // On another machine, and faster for that alone.
+  results.records[1].environment.cpu = "fast";
+  results.records[1].environment.exclusive = true;
+  results.records[1].seconds_total = 0.125;
+  const Arrangement runs = arrange(results);
+  const auto row = find_row(cost_table(runs), {"pelvis", "marching-cubes"});
+  EXPECT_EQ((std::vector<std::string>(row.begin() + 2, row.begin() + 7)),
+            (std::vector<std::string>{"§", "§", "§", "§", "321"}));
+  EXPECT_EQ(find_row(cost_table(runs), {"pelvis", "particles"})[5], "5.25");
+  EXPECT_EQ(find_row(best_table(runs), {"Time, sizing and method"})[1], "particles: 5.25 s");
+  EXPECT_EQ(find_row(methods_table(runs), {"marching-cubes"})[8], "§");
+  const std::string remark =
+      "§ Seconds are compared among the runs on slow, 4 cores, 2 threads alone; left out: 1 run on fast, 4 cores, 2 "
+      "threads, nothing else on the machine.";
+  EXPECT_EQ(timing_remark(runs), remark);
+  for (const Table& table : {cost_table(runs), sizes_table(results, runs), best_table(runs), methods_table(runs)}) {
+    EXPECT_EQ(table.remarks.empty() ? "" : table.remarks.back(), remark) << table.title;
+  }
+}
+
 TEST(Tables, WhatIsMissingIsSaid) {
   Results results = sample_results();
   results.missing.push_back(sample_record("vessel", "particles").request);
@@ -146,6 +175,9 @@ TEST(Tables, WhatIsMissingIsSaid) {
   const std::string text = markdown_tables(results);
   EXPECT_NE(text.find("1 of 5 runs are not done yet: vessel-particles"), std::string::npos);
   EXPECT_NE(text.find("not a readable run record"), std::string::npos);
+  // Of very many not each by its name.
+  results.missing.resize(1000, results.missing.front());
+  EXPECT_NE(markdown_tables(results).find(" vessel-particles and 980 more\n"), std::string::npos);
 }
 
 TEST(Tables, SeveralSizingsAreToldApartAndSeedsAreTheirSpread) {

@@ -52,10 +52,15 @@ Runs timed_so(const Runs& runs, const std::string& timing) {
   return same;
 }
 
-std::vector<std::string> all_timings(const Arrangement& runs) {
-  std::vector<std::string> timings;
-  for (const Count& count : counts(runs)) timings.push_back(count.timing);
-  return timings;
+std::string timing_remark(const Arrangement& runs) {
+  std::vector<std::string> others;
+  for (const Count& count : counts(runs)) {
+    if (count.timing != runs.timing)
+      others.push_back(fmt::format("{} run{} on {}", count.runs, count.runs == 1 ? "" : "s", count.timing));
+  }
+  if (others.empty()) return "";
+  return fmt::format("§ Seconds are compared among the runs on {} alone; left out: {}.", runs.timing,
+                     fmt::join(others, "; "));
 }
 
 }  // namespace isobench

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "reports/arrangement.h"
 
@@ -18,7 +17,8 @@ std::string usual_timing(const Arrangement& runs);
 /// The runs that were timed so.
 Runs timed_so(const Runs& runs, const std::string& timing);
 
-/// Every way in which a finished run was timed.
-std::vector<std::string> all_timings(const Arrangement& runs);
+/// The sentence for under a table with seconds: among which runs they are compared, and which are left out; "" where
+/// all runs were timed alike.
+std::string timing_remark(const Arrangement& runs);
 
 }  // namespace isobench

@@ -8,14 +8,17 @@
 
 #include "reports/figure_values.h"
 #include "reports/table_parts.h"
+#include "reports/timing.h"
 
 namespace isobench {
 
 namespace {
 
-double median_of(const Runs& runs, const std::string& figure) {
+// Of seconds only those that compare.
+double median_of(const Arrangement& arrangement, const Runs& runs, const Question& question) {
   std::vector<double> values;
-  for (const RunRecord* run : gated(runs)) values.push_back(figure_value(*run, figure));
+  for (const RunRecord* run : question.timed ? timed_so(gated(runs), arrangement.timing) : gated(runs))
+    values.push_back(figure_value(*run, question.figure));
   return spread_of(std::move(values)).median;
 }
 
@@ -49,7 +52,7 @@ const std::vector<Question>& questions() {
       {"Vertices of valence 6", "valence_6_percent", true, "%", 3},
       {"Edges longer than h0", "edge_over_h0_exceed_percent", false, "%", 2},
       {"Mean distance to the surface", "distance_mean", false, "mm", 3},
-      {"Time, sizing and method", "seconds_total", false, "s", 3},
+      {"Time, sizing and method", "seconds_total", false, "s", 3, true},
       {"Peak memory", "peak_memory_mb", false, "MB", 3},
   };
   return all;
@@ -61,7 +64,7 @@ Best best(const Question& question, const Arrangement& runs, const std::string& 
   Best best;
   bool any = false;
   for (const Variant& variant : runs.variants) {
-    const double value = median_of(find_runs(variant, dataset), question.figure);
+    const double value = median_of(runs, find_runs(variant, dataset), question);
     if (!std::isfinite(value)) continue;
     values[variant.name] = value;
     if (!any || (question.larger ? value > best.value : value < best.value)) best.value = value;
@@ -95,6 +98,7 @@ Table best_table(const Arrangement& runs) {
     }
     if (any) table.rows.push_back(std::move(row));
   }
+  say_how_timed(runs, table);
   return table;
 }
 
@@ -144,13 +148,16 @@ Table methods_table(const Arrangement& runs) {
     row.push_back(figure_cell(average, to_significant(3)));
     row.push_back(figure_cell(six, to_significant(3)));
     row.push_back(figure_cell(vertices, as_number()));
-    row.push_back(figure_cell(seconds, to_significant(3)));
-    row.push_back(figure_cell(1e5 * seconds / vertices, to_significant(3)));
+    // A sum that lacks some of its runs would be no sum of them all.
+    const bool alike = timed_so(done, runs.timing).size() == done.size();
+    row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
+    row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
     table.rows.push_back(std::move(row));
   }
   table.remarks = {
       "Averages are over the finished runs, each counting the same. What the surface's own χ and components are is "
       "counted without any mesh, on a refined lattice: see the topology table."};
+  say_how_timed(runs, table);
   return table;
 }
 

@@ -15,7 +15,8 @@ struct Question {
   std::string figure;  ///< as figure_value() knows it
   bool larger = true;  ///< is better
   std::string unit;
-  int digits = 3;  ///< significant: what prints alike counts alike
+  int digits = 3;      ///< significant: what prints alike counts alike
+  bool timed = false;  ///< seconds: asked only of runs that were timed alike
 };
 const std::vector<Question>& questions();
 
