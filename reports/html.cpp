@@ -29,7 +29,7 @@ std::string cell_html(const TableCell& cell, bool label) {
     TableCell theirs;
     theirs.published = cell.published;
     theirs.published_unit = cell.published_unit;
-    body += (body.empty() ? "" : " ") + fmt::format("<span class=\"published\">{}</span>", html_escaped(theirs.text()));
+    body += fmt::format("{}<span class=\"published\">{}</span>", body.empty() ? "" : " ", html_escaped(theirs.text()));
   }
   if (label) return fmt::format("<th scope=\"row\">{}</th>", body);
   const char* kind = cell.figures.empty() ? "" : " class=\"number\"";
