@@ -20,9 +20,9 @@ struct Engine {
 Engine engine_of(const Parameters& parameters) {
   const bool parallel = parameters.flag("parallel");
   if (parameters.text("engine") == "mesh-3")
-    return {parallel ? refinement_by_parallel_mesh_3 : refinement_by_mesh_3, 0.8};
+    return {parallel ? refinement_by_parallel_mesh_3 : refinement_by_mesh_3, 0.756};
   if (parallel) throw Skipped("delaunay-refinement: the engine surface-mesher has no parallel variant");
-  return {refinement_by_surface_mesher, 0.8};
+  return {refinement_by_surface_mesher, 0.770};
 }
 
 /// Brings the number of vertices to what was asked for. A mesh of too few is refined further, as if it had been asked
@@ -54,7 +54,7 @@ class Counting {
   double share(const TriangleMesh& mesh) const { return static_cast<double>(mesh.vertices.size()) / vertices_; }
 
   static constexpr double tolerance = 0.01;
-  static constexpr double margin = 0.01;
+  static constexpr double margin = 0.003;
   static constexpr int most = 8;
 
   const Engine& engine_;
