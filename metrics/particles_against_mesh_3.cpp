@@ -122,17 +122,19 @@ void print_seconds(const std::vector<Contestant>& contestants) {
 }
 
 void print_quality(std::vector<Contestant>& contestants, const Isosurface& surface, const SizingField& sizing) {
-  fmt::print("\n{:28} {:>8} {:>14} {:>14} {:>12} {:>11} {:>12} {:>22}\n", "", "vertices", "Q min / avg", "angles °",
-             "valence 6 %", "outside 5–7", "χ / comp.", "distance mm mean / max");
+  fmt::print("\n{:28} {:>8} {:>14} {:>14} {:>12} {:>11} {:>12} {:>22} {:>24}\n", "", "vertices", "Q min / avg",
+             "angles °", "valence 6 %", "outside 5–7", "χ / comp.", "to F = c mean / max mm",
+             "from F = c mean / max mm");
   for (Contestant& contestant : contestants) {
     if (contestant.last.triangles.empty()) continue;
     Monitor monitor;
     const Measurement m = measure(contestant.last, surface, sizing, default_reference_k, monitor);
-    fmt::print("{:28} {:>8} {:>14} {:>14} {:>12.2f} {:>11} {:>12} {:>22}{}\n", contestant.name, m.vertices,
+    fmt::print("{:28} {:>8} {:>14} {:>14} {:>12.2f} {:>11} {:>12} {:>22} {:>24}{}\n", contestant.name, m.vertices,
                fmt::format("{:.3f} / {:.4f}", m.radius_ratio.min, m.radius_ratio.avg),
                fmt::format("{:.1f}–{:.1f}", m.angles.min, m.angles.max), m.valence.v6_percent, m.valence.extreme_count,
                fmt::format("{} / {}", m.topology.euler, m.topology.components),
                fmt::format("{:.5f} / {:.4f}", m.distance.mean, m.distance.max),
+               fmt::format("{:.5f} / {:.4f}", m.distance_from_surface.mean, m.distance_from_surface.max),
                m.topology.closed_manifold() ? "" : "  not a closed manifold");
   }
 }
