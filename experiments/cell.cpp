@@ -36,11 +36,15 @@ void book(const Monitor& monitor, RunRecord& record) {
   record.notes = monitor.notes();
 }
 
-MeshingTask task_of(const Dataset& dataset, const RunRequest& request, double scale = 1.0) {
+Parameters parameters_of(const RunRequest& request) {
   const ParameterSchema& schema = method(request.method).parameters;
   Parameters parameters(schema);
   for (const auto& [name, value] : request.parameters) parameters.set(schema, name, value);
-  return {*dataset.surface, scaled(request.sizing, scale), std::move(parameters), request.seed};
+  return parameters;
+}
+
+MeshingTask task_of(const Dataset& dataset, const RunRequest& request, double scale = 1.0) {
+  return {*dataset.surface, scaled(request.sizing, scale), parameters_of(request), request.seed};
 }
 
 TriangleMesh mesh(const MeshingTask& task, const RunRequest& request, Monitor& monitor) {
@@ -111,7 +115,7 @@ RunRecord begin_record(const RunRequest& request, int threads) {
   record.request = request;
   record.started = utc_now();
   record.threads = threads;
-  record.deterministic = method(request.method).deterministic;
+  record.deterministic = is_deterministic(method(request.method), parameters_of(request));
   record.environment = environment();
   return record;
 }

@@ -41,8 +41,10 @@ std::string range(const ParameterSpec& spec) {
 
 void list_all_methods() {
   for (const Method& method : methods()) {
-    fmt::print("{:16} {} (revision {}{})\n", method.name, method.summary, method.revision,
-               method.deterministic ? "" : "; not deterministic");
+    const char* promise = !method.deterministic                  ? "; not deterministic"
+                          : method.deterministic_with != nullptr ? "; deterministic with some parameters"
+                                                                 : "";
+    fmt::print("{:16} {} (revision {}{})\n", method.name, method.summary, method.revision, promise);
     for (const ParameterSpec& spec : method.parameters) {
       const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
       const std::string otherwise = spec.required ? "must be given" : "default " + to_string(spec.default_value) + unit;

@@ -14,6 +14,10 @@ std::shared_ptr<const SizingField> MeshingTask::sizing_field(Monitor& monitor) c
   return field_;
 }
 
+bool is_deterministic(const Method& method, const Parameters& parameters) {
+  return method.deterministic && (method.deterministic_with == nullptr || method.deterministic_with(parameters));
+}
+
 const std::vector<Method>& methods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> found = registered_methods();

@@ -43,10 +43,15 @@ struct Method {
   std::string summary;  ///< one sentence, with its source
   int revision = 1;  ///< raise it when the method's results change: stored results of another revision are not reused
   bool deterministic = true;  ///< same seed, same bytes, for any number of threads
+  /// Where that hangs on the parameters, whether it holds with these; else null.
+  bool (*deterministic_with)(const Parameters&) = nullptr;
   ParameterSchema parameters;
   /// The mesh in the lattice frame of the surface. Throws Skipped with the reason where the method cannot do the task.
   TriangleMesh (*mesh)(const MeshingTask&, Monitor&) = nullptr;
 };
+
+/// Whether a method promises the same mesh for the same seed, with these parameters of its schema.
+bool is_deterministic(const Method& method, const Parameters& parameters);
 
 /// All methods, in order of name.
 const std::vector<Method>& methods();

@@ -65,6 +65,7 @@ Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingF
   {
     const auto stage = monitor.stage("distance");
     measurement.distance = measure_distance(mesh, surface, &mesh.vertex_data["distance"]);
+    measurement.distance_from_surface = measure_distance_from_surface(mesh, surface, monitor);
   }
   monitor.check();
   {

@@ -10,6 +10,7 @@
 #include "methods/triangle_mesh.h"
 #include "metrics/angles.h"
 #include "metrics/distance.h"
+#include "metrics/distance_from_surface.h"
 #include "metrics/edge_lengths.h"
 #include "metrics/radius_ratio.h"
 #include "metrics/reference_topology.h"
@@ -19,7 +20,7 @@
 namespace isobench {
 
 /// Raised when the meaning or the value of a figure changes: stored results of another revision are not reused.
-inline constexpr int metrics_revision = 2;
+inline constexpr int metrics_revision = 3;
 
 struct Measurement {
   std::size_t vertices = 0;
@@ -31,6 +32,7 @@ struct Measurement {
   TopologyFigures topology;
   ReferenceTopology reference;
   DistanceFigures distance;
+  DistanceFromSurface distance_from_surface;
 };
 
 /// Measures a mesh (lattice frame) against the surface and the sizing that it was asked for, and adds the arrays that a

@@ -82,6 +82,12 @@ const std::vector<MetricDefinition>& metric_definitions() {
       {"distance_mean_voxels", "voxels",
        "Mean distance in voxels, a voxel being the geometric mean of the lattice's spacings."},
       {"distance_max_voxels", "voxels", "Largest distance in voxels."},
+      {"distance_from_surface_mean", "mm",
+       "Mean distance of the surface F = c to the mesh, by area: what distance_mean does not see, such as a part that "
+       "the "
+       "mesh misses. From the vertices of marching cubes on the data's lattice and the projected centroids of its "
+       "triangles."},
+      {"distance_from_surface_max", "mm", "Largest distance of those places on the surface F = c to the mesh."},
       {"distance_unprojected", "", "Points whose way to the surface did not end on it; |F − c|/|∇F| was taken there."},
   };
   return definitions;

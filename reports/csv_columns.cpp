@@ -101,6 +101,9 @@ const std::vector<CsvColumn>& csv_columns() {
     }
     const std::vector<CsvColumn> costs = cost_columns();
     all.insert(all.end(), costs.begin(), costs.end());
+    // Later figures come last, so that a column once known by its place keeps it.
+    for (const char* name : {"distance_from_surface_mean", "distance_from_surface_max"})
+      all.push_back(figure_column(name));
     return all;
   }();
   return columns;

@@ -47,6 +47,8 @@ void visit_figures(Figures& m, Visitor&& visit) {
   visit("distance_vertex_max", m.distance.vertex_max);
   visit("distance_mean_voxels", m.distance.mean_voxels);
   visit("distance_max_voxels", m.distance.max_voxels);
+  visit("distance_from_surface_mean", m.distance_from_surface.mean);
+  visit("distance_from_surface_max", m.distance_from_surface.max);
   visit("distance_unprojected", m.distance.unprojected);
 }
 

@@ -96,7 +96,9 @@ Measurement measurement_from_json(const Json& figures, const Json& histograms) {
   visit_figures(measurement, [&](const char* name, auto& value) {
     // Figures that came after the record was written, by metrics of a later revision, are unknown, and taken by
     // `isobench measure`.
-    const bool later = std::string(name).starts_with("edge_over_own_h0") && !figures.contains(name);
+    const std::string figure = name;
+    const bool later = (figure.starts_with("edge_over_own_h0") || figure.starts_with("distance_from_surface")) &&
+                       !figures.contains(figure);
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
       if (later) value = std::numeric_limits<double>::quiet_NaN();
     }

@@ -55,7 +55,7 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "components_reference,euler,euler_reference,reference_k,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
-            "host,exclusive");
+            "host,exclusive,distance_from_surface_mean,distance_from_surface_max");
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {

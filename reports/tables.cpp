@@ -167,8 +167,11 @@ Table distance_table(const Arrangement& runs) {
        {"mean voxels", [](const R& r) { return r.measurement->distance.mean_voxels; }, to_significant(3)},
        {"max voxels", [](const R& r) { return r.measurement->distance.max_voxels; }, to_significant(3)},
        {"vertices max mm", [](const R& r) { return r.measurement->distance.vertex_max; }, to_significant(3)},
+       {"from F = c mean mm", [](const R& r) { return r.measurement->distance_from_surface.mean; }, to_significant(3)},
+       {"from F = c max mm", [](const R& r) { return r.measurement->distance_from_surface.max; }, to_significant(3)},
        whole("not projected", [](const Measurement& m) { return m.distance.unprojected; })});
-  table.definitions = {"distance_mean", "distance_max", "distance_vertex_max"};
+  table.definitions = {"distance_mean", "distance_max", "distance_vertex_max", "distance_from_surface_mean",
+                       "distance_from_surface_max"};
   return table;
 }
 

@@ -1,0 +1,74 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "methods/isotropic-remeshing/remesh.h"
+
+namespace isobench::isotropic_remeshing {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+namespace pmp = CGAL::Polygon_mesh_processing;
+
+Mesh to_cgal(const TriangleMesh& mesh) {
+  std::vector<Point> points;
+  points.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3d& x : mesh.vertices) points.emplace_back(x[0], x[1], x[2]);
+  std::vector<std::vector<std::size_t>> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2]});
+  pmp::merge_duplicate_points_in_polygon_soup(points, triangles);
+  std::erase_if(triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  pmp::orient_polygon_soup(points, triangles);
+  Mesh result;
+  pmp::polygon_soup_to_polygon_mesh(points, triangles, result);
+  return result;
+}
+
+TriangleMesh from_cgal(Mesh& mesh) {
+  mesh.collect_garbage();
+  TriangleMesh result;
+  result.vertices.reserve(mesh.number_of_vertices());
+  for (const auto vertex : mesh.vertices()) {
+    const Point& p = mesh.point(vertex);
+    result.vertices.emplace_back(p.x(), p.y(), p.z());
+  }
+  result.triangles.reserve(mesh.number_of_faces());
+  for (const auto face : mesh.faces()) {
+    Triangle triangle{};
+    std::size_t corner = 0;
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+      triangle[corner++] = static_cast<std::uint32_t>(vertex);
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+}  // namespace
+
+TriangleMesh remesh(const TriangleMesh& mesh, double edge_length, int iterations,
+                    const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& project) {
+  Mesh work = to_cgal(mesh);
+  const auto on_surface = [&](Mesh::Vertex_index vertex) {
+    const Point& p = work.point(vertex);
+    const Eigen::Vector3d x = project({p.x(), p.y(), p.z()});
+    return Point(x[0], x[1], x[2]);
+  };
+  pmp::isotropic_remeshing(
+      work.faces(), edge_length, work,
+      CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations)).projection_functor(on_surface));
+  TriangleMesh result = from_cgal(work);
+  drop_unused_vertices(result);
+  return result;
+}
+
+}  // namespace isobench::isotropic_remeshing

@@ -1,0 +1,92 @@
+// The method as a whole, on surfaces with known answers.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "datasets/phantoms.h"
+#include "methods/isotropic-remeshing/remesh.h"
+#include "methods/mesh_facts.h"
+#include "methods/method.h"
+
+namespace isobench {
+namespace {
+
+TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request) {
+  const Method& m = method("isotropic-remeshing");
+  Monitor monitor;
+  return m.mesh(MeshingTask(surface, request, Parameters(m.parameters), 1), monitor);
+}
+
+double mean_radius_ratio(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Eigen::Vector3d &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
+    const double double_area = (b - a).cross(c - a).norm();
+    sum += 4.0 * double_area * double_area / (ab * bc * ca * (ab + bc + ca));
+  }
+  return sum / static_cast<double>(mesh.triangles.size());
+}
+
+TEST(IsotropicRemeshing, MeshesSphereTorusAndTwoBodies) {
+  for (const char* name : {"sphere", "torus", "two-spheres"}) {
+    SCOPED_TRACE(name);
+    const Isosurface surface(sample_phantom(phantom(name), 40), 0.0);
+    SizingRequest request;
+    request.vertices = 2000;
+    const TriangleMesh mesh = mesh_of(surface, request);
+    EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 2000.0, 40.0);
+    const MeshFacts facts = mesh_facts(mesh);
+    EXPECT_EQ(facts.open_edges, 0U);
+    EXPECT_EQ(facts.nonmanifold_edges, 0U);
+    EXPECT_EQ(facts.euler, phantom(name).euler);
+    EXPECT_EQ(facts.components, static_cast<std::size_t>(phantom(name).components));
+    EXPECT_GT(facts.volume, 0.0);
+    EXPECT_GE(mean_radius_ratio(mesh), 0.95);
+    for (const Eigen::Vector3d& x : mesh.vertices) {
+      const Jet jet = surface.value_gradient(x);
+      ASSERT_LT(std::abs(jet.value), 1e-5 * surface.voxel() * jet.gradient.norm());
+    }
+    EXPECT_EQ(mesh.vertices, mesh_of(surface, request).vertices);
+  }
+}
+
+// A cube's corners given once for each face, and a triangle without area: joined, and dropped.
+TEST(IsotropicRemeshing, JoinsCornersAtOnePlace) {
+  TriangleMesh cube;
+  const auto face = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                        const Eigen::Vector3d& d) {
+    const auto first = static_cast<std::uint32_t>(cube.vertices.size());
+    cube.vertices.insert(cube.vertices.end(), {a, b, c, d});
+    cube.triangles.insert(cube.triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+  };
+  face({0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0});
+  face({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1});
+  face({0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1});
+  face({0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0});
+  face({0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0});
+  face({1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1});
+  cube.triangles.push_back({0, 8, 16});  // one place three times
+  const TriangleMesh mesh = isotropic_remeshing::remesh(cube, 0.3, 3, [](const Eigen::Vector3d& x) { return x; });
+  const MeshFacts facts = mesh_facts(mesh);
+  EXPECT_EQ(facts.open_edges, 0U);
+  EXPECT_EQ(facts.euler, 2);
+  EXPECT_GT(facts.volume, 0.5);
+}
+
+TEST(IsotropicRemeshing, SkipsAdaptiveSizingWithTheReason) {
+  const Isosurface surface(sample_phantom(phantom("sphere"), 24), 0.0);
+  SizingRequest request;
+  request.epsilon = 0.5;
+  request.delta = 0.3;
+  try {
+    mesh_of(surface, request);
+    FAIL();
+  } catch (const Skipped& skipped) {
+    EXPECT_NE(std::string(skipped.what()).find("edge_length or vertices"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace isobench
