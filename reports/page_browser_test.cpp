@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include "datasets/test_folder.h"
@@ -64,6 +65,22 @@ int coloured(const std::string& png) {
   return Pixels(png).count([](const Colour& c) {
     return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}) > 40;
   });
+}
+
+// How many pixels two pictures of one size differ in, but for a frame that tells where keys go.
+int differing(const std::string& before, const std::string& after) {
+  const Pixels a(before);
+  const Pixels b(after);
+  constexpr int frame = 8;
+  int count = 0;
+  for (int y = frame; y < a.height() - frame; ++y) {
+    for (int x = frame; x < a.width() - frame; ++x) {
+      const Colour p = a.at(x, y);
+      const Colour q = b.at(x, y);
+      count += std::abs(p.red - q.red) + std::abs(p.green - q.green) + std::abs(p.blue - q.blue) > 30 ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 class SlowPageInABrowser : public testing::Test {
@@ -131,10 +148,10 @@ TEST_F(SlowPageInABrowser, TurnsAMeshByADrag) {
   browser_->drag(".stage canvas", 120, 60);
   const std::string after = browser_->picture(".stage canvas");
   EXPECT_GT(coloured(after), 10000);
-  EXPECT_NE(after, before);
+  EXPECT_GT(differing(before, after), 10000);
   // Keys do the same, and 0 brings the first view back.
   browser_->type(".stage canvas", "0");
-  EXPECT_EQ(browser_->picture(".stage canvas"), before);
+  EXPECT_LT(differing(before, browser_->picture(".stage canvas")), 100);
   browser_->turn_wheel(".stage canvas", 700);
   EXPECT_LT(coloured(browser_->picture(".stage canvas")), size / 2);  // half as large: a quarter of the pixels
 }
