@@ -96,75 +96,81 @@ class SlowPageInABrowser : public testing::Test {
     EXPECT_EQ(browser_->requests(), std::vector<std::string>{});
   }
 
+  void see_every_table_plot_and_picture() {
+    const std::string html = read_text(page_);
+    const std::size_t images = count_of(html, "<img ");
+    EXPECT_GT(images, 12U);  // of two meshes three pictures each, two under Figure 6, and plots
+    browser_->ask("for (const image of document.images) image.loading = 'eager';");
+    EXPECT_TRUE(browser_->eventually("return Array.from(document.images).every((image) => image.complete)"));
+    EXPECT_EQ(browser_->ask("return Array.from(document.images).filter((image) => image.naturalWidth > 0 && "
+                            "image.clientWidth > 100).length"),
+              images);
+    const auto titles = browser_->ask("return Array.from(document.querySelectorAll('h3'), (h) => h.textContent)");
+    for (const Table& table : all_tables(load_results(folder_.path())))
+      EXPECT_NE(std::find(titles.begin(), titles.end(), table.title), titles.end()) << table.title;
+    EXPECT_EQ(browser_->ask("return Array.from(document.querySelectorAll('table')).filter((t) => t.rows.length < 2 && "
+                            "t.className !== 'facts').length"),
+              0);
+    // The figure that there is stands under its number; of the other it says what it needs.
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('#figures h3').length"), 2);
+    EXPECT_NE(html.find("it needs a finished run of vessel"), std::string::npos);
+  }
+
+  void sort_a_table_by_a_click() {
+    browser_->ask(
+        "Array.from(document.querySelectorAll('h3')).find((h) => h.textContent.startsWith('Table "
+        "2')).nextElementSibling"
+        ".querySelector('table').id = 'ratios';");
+    const std::string column =
+        "return Array.from(document.querySelectorAll('#ratios tbody tr'), (row) => "
+        "row.cells[1].dataset.sort).join(' ')";
+    browser_->click("#ratios th:nth-child(2) button");
+    EXPECT_EQ(browser_->ask(column), "0.5 0.75");
+    browser_->click("#ratios th:nth-child(2) button");
+    EXPECT_EQ(browser_->ask(column), "0.75 0.5");
+    EXPECT_EQ(browser_->ask("return document.querySelector('#ratios th:nth-child(2)').ariaSort"), "descending");
+  }
+
+  void turn_a_mesh_by_a_drag() {
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 0);  // none before it is asked for
+    browser_->click("td[data-whole] button");
+    const std::string before = browser_->picture(".stage canvas");
+    const int size = coloured(before);
+    EXPECT_GT(size, 10000);  // no blank
+    browser_->drag(".stage canvas", 120, 60);
+    const std::string after = browser_->picture(".stage canvas");
+    EXPECT_GT(coloured(after), 10000);
+    EXPECT_GT(differing(before, after), 10000);
+    // Keys do the same, and 0 brings the first view back.
+    browser_->type(".stage canvas", "0");
+    EXPECT_LT(differing(before, browser_->picture(".stage canvas")), 100);
+    browser_->turn_wheel(".stage canvas", 700);
+    EXPECT_LT(coloured(browser_->picture(".stage canvas")), size / 2);  // half as large: a quarter of the pixels
+  }
+
+  void turn_a_copy_of_a_large_mesh_and_its_worst_place() {
+    browser_->click("td[data-worst] button:nth-of-type(1)");
+    EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
+    const std::string caption = browser_->ask("return document.querySelector('.stage figcaption').textContent");
+    EXPECT_NE(caption.find("of a mesh of 25,600"), std::string::npos) << caption;
+    browser_->click("td[data-worst] button:nth-of-type(2)");
+    EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 1);  // one at a time
+  }
+
   TestFolder folder_;
   TestFolder browser_folder_;
   std::filesystem::path page_;
   std::unique_ptr<Browser> browser_;
 };
 
-TEST_F(SlowPageInABrowser, ShowsEveryTablePlotAndPicture) {
+// One after the other in one browser: starting it takes longer than all of them.
+TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
   browser_->open(page_);
-  const std::string html = read_text(page_);
-  const std::size_t images = count_of(html, "<img ");
-  EXPECT_GT(images, 12U);  // of two meshes three pictures each, two under Figure 6, and plots
-  browser_->ask("for (const image of document.images) image.loading = 'eager';");
-  EXPECT_TRUE(browser_->eventually("return Array.from(document.images).every((image) => image.complete)"));
-  EXPECT_EQ(browser_->ask("return Array.from(document.images).filter((image) => image.naturalWidth > 0 && "
-                          "image.clientWidth > 100).length"),
-            images);
-  const auto titles = browser_->ask("return Array.from(document.querySelectorAll('h3'), (h) => h.textContent)");
-  for (const Table& table : all_tables(load_results(folder_.path())))
-    EXPECT_NE(std::find(titles.begin(), titles.end(), table.title), titles.end()) << table.title;
-  EXPECT_EQ(browser_->ask("return Array.from(document.querySelectorAll('table')).filter((t) => t.rows.length < 2 && "
-                          "t.className !== 'facts').length"),
-            0);
-  // The figure that there is stands under its number; of the other it says what it needs.
-  EXPECT_EQ(browser_->ask("return document.querySelectorAll('#figures h3').length"), 2);
-  EXPECT_NE(html.find("it needs a finished run of vessel"), std::string::npos);
-}
-
-TEST_F(SlowPageInABrowser, SortsATableByAClick) {
-  browser_->open(page_);
-  browser_->ask(
-      "Array.from(document.querySelectorAll('h3')).find((h) => h.textContent.startsWith('Table 2')).nextElementSibling"
-      ".querySelector('table').id = 'ratios';");
-  const std::string column =
-      "return Array.from(document.querySelectorAll('#ratios tbody tr'), (row) => "
-      "row.cells[1].dataset.sort).join(' ')";
-  browser_->click("#ratios th:nth-child(2) button");
-  EXPECT_EQ(browser_->ask(column), "0.5 0.75");
-  browser_->click("#ratios th:nth-child(2) button");
-  EXPECT_EQ(browser_->ask(column), "0.75 0.5");
-  EXPECT_EQ(browser_->ask("return document.querySelector('#ratios th:nth-child(2)').ariaSort"), "descending");
-}
-
-TEST_F(SlowPageInABrowser, TurnsAMeshByADrag) {
-  browser_->open(page_);
-  EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 0);  // none before it is asked for
-  browser_->click("td[data-whole] button");
-  const std::string before = browser_->picture(".stage canvas");
-  const int size = coloured(before);
-  EXPECT_GT(size, 10000);  // no blank
-  browser_->drag(".stage canvas", 120, 60);
-  const std::string after = browser_->picture(".stage canvas");
-  EXPECT_GT(coloured(after), 10000);
-  EXPECT_GT(differing(before, after), 10000);
-  // Keys do the same, and 0 brings the first view back.
-  browser_->type(".stage canvas", "0");
-  EXPECT_LT(differing(before, browser_->picture(".stage canvas")), 100);
-  browser_->turn_wheel(".stage canvas", 700);
-  EXPECT_LT(coloured(browser_->picture(".stage canvas")), size / 2);  // half as large: a quarter of the pixels
-}
-
-TEST_F(SlowPageInABrowser, TurnsACopyOfALargeMeshAndItsWorstPlace) {
-  browser_->open(page_);
-  browser_->click("td[data-worst] button:nth-of-type(1)");
-  EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
-  const std::string caption = browser_->ask("return document.querySelector('.stage figcaption').textContent");
-  EXPECT_NE(caption.find("of a mesh of 25,600"), std::string::npos) << caption;
-  browser_->click("td[data-worst] button:nth-of-type(2)");
-  EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
-  EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 1);  // one at a time
+  see_every_table_plot_and_picture();
+  sort_a_table_by_a_click();
+  turn_a_mesh_by_a_drag();
+  turn_a_copy_of_a_large_mesh_and_its_worst_place();
 }
 
 TEST_F(SlowPageInABrowser, ReadsWithoutScripts) {

@@ -131,10 +131,12 @@ std::string plates_html(const Results& results, Exhibits& exhibits, const std::f
       continue;
     }
     const bool plots = plate.shows == "contraction" || plate.shows == "edges over h0" || plate.shows == "radius ratios";
-    const char* kind = plots ? "" : plate.shows == "sizing grid" ? " grid" : " pictures";
-    text += fmt::format("<div class=\"figures{}\"{}>\n{}</div>\n", kind,
-                        plate.shows == "sizing grid" ? fmt::format(" style=\"--across:{}\"", exhibits.across) : "",
-                        fmt::join(panels, ""));
+    // Frames and grids keep to their rows, however wide the window.
+    const std::size_t across = plate.shows == "pipeline" ? panels.size() : exhibits.across;
+    const bool rows = plate.shows == "pipeline" || plate.shows == "sizing grid";
+    text += rows ? fmt::format("<div class=\"figures grid\" style=\"--across:{}\">\n", across)
+                 : fmt::format("<div class=\"figures{}\">\n", plots ? "" : " pictures");
+    text += fmt::format("{}</div>\n", fmt::join(panels, ""));
   }
   return text + "</section>\n";
 }

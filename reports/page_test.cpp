@@ -152,14 +152,14 @@ TEST(Page, PutsFiguresUnderTheirNumbers) {
   for (const char* shot : {shots::whole, shots::closer, shots::worst}) {
     for (const char* method : {"theirs", "particles"}) {
       const std::string name = std::string("pictures/") + method + shot;
-      write_text(folder.path() / (name + ".jpg"), name);
+      folder.write(name + ".jpg", name);
       exhibits.pictures.push_back({name + ".png", name + ".jpg", "pelvis", shot, false, "pelvis", method, ""});
     }
   }
   Plot plot;
   plot.name = "radius-ratio-pelvis";
   plot.kind = "radius-ratio";
-  write_text(folder.path() / "plots" / "radius-ratio-pelvis.svg", "<svg/>");
+  folder.write("plots/radius-ratio-pelvis.svg", "<svg/>");
   exhibits.plots = {plot};
   exhibits.drawn = {plot.name};
   const std::string text = page(sample_results(), exhibits, folder.path());

@@ -79,7 +79,8 @@ bool all_there(const PictureGroup& group, const fs::path& folder) {
 }
 
 std::string caption_of(const RunRecord& run, const std::string& shot) {
-  if (shot == shots::whole || shot == shots::closer) return fmt::format("{} triangles", run.measurement->triangles);
+  if (shot == shots::closer) return "closer";
+  if (shot == shots::whole) return fmt::format("{} triangles", run.measurement->triangles);
   if (shot == shots::worst) return "radius ratio " + significant(run.measurement->radius_ratio.min, 3);
   if (shot == shots::medial_axis) return "the medial axis inside, coloured by its distance to the surface, mm";
   if (shot == shots::initial_sizing) return "the longest edges that sampling allows, h0, mm";

@@ -1,8 +1,12 @@
 #include "reports/pictures.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 
 #include "datasets/error.h"
 #include "datasets/test_folder.h"

@@ -207,7 +207,9 @@ std::vector<std::string> Browser::requests() {
     const Json event = Json::parse(entry.at("message").get<std::string>()).at("message");
     if (event.at("method") != "Network.requestWillBeSent") continue;
     const std::string address = event.at("params").at("request").at("url").get<std::string>();
-    if (!address.starts_with("file:") && !address.starts_with("data:")) addresses.push_back(address);
+    // The browser starts with a page of its own.
+    const bool own = address.starts_with("file:") || address.starts_with("data:") || address.starts_with("chrome:");
+    if (!own) addresses.push_back(address);
   }
   return addresses;
 }

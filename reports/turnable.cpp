@@ -187,7 +187,7 @@ ValuedMesh around(const ValuedMesh& mesh, std::size_t triangle, std::size_t most
 
 std::string turnable(const ValuedMesh& mesh) {
   const Eigen::AlignedBox3d box = box_of(mesh.mesh);
-  const Eigen::Vector3d low = box.min();
+  const Eigen::Vector3d& low = box.min();
   const double side = std::max(box.sizes().maxCoeff(), 1e-9);
   const std::vector<std::size_t> order = order_of(mesh.mesh, low, side);
   std::vector<std::uint32_t> number(mesh.mesh.vertices.size(), none);
