@@ -90,7 +90,7 @@ key = "sampling.epsilon"
 values = [0.5, 0.75, 1.0]
 [[vary]]
 key = "method.particles.sweeps"
-values = [5, 60, 10]
+values = [5, 80, 10]
 )";
 
 TEST(Plan, VariesOneThingAtATimeFromOneBase) {
@@ -98,7 +98,7 @@ TEST(Plan, VariesOneThingAtATimeFromOneBase) {
   for (const RunRequest& r : plan_of(ablation)) {
     names.push_back(fmt::format("{} {} {}", r.dataset, r.label, *r.sizing.epsilon));
   }
-  // 60 sweeps are the default: the base is there once. What is varied goes over the sphere's override.
+  // 80 sweeps are the default: the base is there once. What is varied goes over the sphere's override.
   EXPECT_EQ(names, (std::vector<std::string>{
                        "torus particles 0.5",            //
                        "torus particles 0.75",           //
