@@ -122,7 +122,7 @@ std::vector<std::string> read_targets(const TomlValue& table, const std::string&
 
 Override read_override(const TomlValue& table, const std::vector<std::string>& datasets,
                        const std::vector<std::string>& methods) {
-  table.allow_keys({"dataset", "method", "sampling", "limits"}, "[[override]]");
+  table.allow_keys({"dataset", "method", "sampling", "limits", "artefacts"}, "[[override]]");
   Override change;
   change.datasets = read_targets(table, "dataset", datasets);
   change.methods = read_targets(table, "method", methods);
@@ -131,6 +131,7 @@ Override read_override(const TomlValue& table, const std::vector<std::string>& d
   }
   if (const auto sampling = table.find("sampling")) change.sampling = read_sampling(*sampling);
   if (const auto limits = table.find("limits")) change.limits = read_limits(*limits);
+  if (const auto artefacts = table.find("artefacts")) change.artefacts = artefacts->as_bool();
   return change;
 }
 
@@ -161,9 +162,23 @@ int read_repeats(const TomlValue& value) {
   return static_cast<int>(repeats);
 }
 
+Aside read_aside(const TomlValue& table) {
+  table.allow_keys({"dataset", "seed", "sampling", "method"}, "[[also]]");
+  Aside aside;
+  aside.datasets = read_datasets(table.require("dataset"));
+  if (const auto seeds = table.find("seed")) aside.seeds = read_seeds(*seeds);
+  aside.sampling = read_sampling(table.require("sampling"));
+  check_kind(aside.sampling);
+  aside.methods = read_methods(table);
+  return aside;
+}
+
 void apply_quick(Config& config, const TomlValue& quick) {
   if (const auto datasets = quick.find("dataset")) config.datasets = read_datasets(*datasets);
-  if (const auto seeds = quick.find("seed")) config.seeds = read_seeds(*seeds);
+  if (const auto seeds = quick.find("seed")) {
+    config.seeds = read_seeds(*seeds);
+    for (Aside& aside : config.also) aside.seeds = config.seeds;
+  }
   if (const auto repeats = quick.find("repeats")) config.repeats = read_repeats(*repeats);
   if (const auto methods = quick.find("method")) keep_methods(config, *methods);
   if (const auto sampling = quick.find("sampling")) {
@@ -295,7 +310,7 @@ void check_kind(const Sampling& sampling) {
 Config read_config(const std::filesystem::path& path, Size size) {
   const TomlValue document = TomlValue::parse_file(path);
   document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "artefacts", "match", "match_to", "sampling",
-                       "override", "vary", "method", "limits", "reference", "published", "quick"},
+                       "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
                       "an experiment");
   Config config;
   config.name = path.stem().string();
@@ -318,6 +333,9 @@ Config read_config(const std::filesystem::path& path, Size size) {
   check_kind(config.sampling);
   config.methods = read_methods(document);
   if (document.find("match") || document.find("match_to")) config.match = read_match(document, config.methods);
+  if (const auto also = document.find("also")) {
+    for (const TomlValue& table : also->as_list()) config.also.push_back(read_aside(table));
+  }
   if (const auto limits = document.find("limits")) config.limits = read_limits(*limits);
   if (const auto reference = document.find("reference")) config.reference_k = read_reference_k(*reference);
   if (const auto published = document.find("published")) {

@@ -36,6 +36,7 @@ struct Override {
   std::vector<std::string> methods;   ///< empty: all
   Sampling sampling;
   Limits limits;
+  std::optional<bool> artefacts;
 };
 
 /// [[method]]: a method and its own parameters; several values of one make a grid.
@@ -66,6 +67,14 @@ struct Match {
   Place place;
 };
 
+/// [[also]]: a further grid, for a figure of its own. Its runs stay out of the tables that compare.
+struct Aside {
+  std::vector<std::string> datasets;
+  std::vector<std::uint64_t> seeds{1};
+  Sampling sampling;
+  std::vector<MethodEntry> methods;
+};
+
 struct Config {
   std::string name;  ///< the file's stem, and "-quick" where [quick] was applied
   std::string title;
@@ -79,6 +88,7 @@ struct Config {
   std::vector<Variation> variations;
   std::vector<MethodEntry> methods;
   std::optional<Match> match;
+  std::vector<Aside> also;
   Limits limits;
   std::vector<int> reference_k{default_reference_k};
   std::optional<std::filesystem::path> published;

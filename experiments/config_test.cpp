@@ -195,6 +195,18 @@ k = [1, 2]
   EXPECT_EQ(plan_to_json(make_plan(again)), plan_to_json(make_plan(config)));
 }
 
+TEST(ConfigErrors, AsidesAreWholeExperiments) {
+  const std::string also = std::string(plain) + "[[also]]\ndataset = \"slab\"\nsampling = { epsilon = 1, delta = 1 }\n";
+  const std::string method = "method = { name = \"marching-cubes\" }\n";
+  EXPECT_EQ(mistake(also + method), "");
+  expect_mistake(also, {"config.toml:7:", "method"});
+  expect_mistake(also + method + "vary = 1\n", {"config.toml:11:", "vary"});
+  expect_mistake(replaced(also, "slab", "slap") + method, {"config.toml:8:", "'slab'"});
+  expect_mistake(replaced(also + method, "slab\"\nsampling = { epsilon = 1, delta = 1 }",
+                          "torus\"\nsampling = { epsilon = 0.5, delta = 0.3 }"),
+                 {"ask for the same run"});
+}
+
 TEST(ConfigErrors, VariationsChangeWhatThereIs) {
   const auto vary = [](const std::string& key, const std::string& values) {
     return std::string(plain) + "[[vary]]\nkey = \"" + key + "\"\nvalues = " + values + "\n";
@@ -327,8 +339,9 @@ TEST(Config, TheExampleOfThePageIsAnExperiment) {
   // Two data sets, the torus at one ε; the entries of particles, one of which is two, have two variations each.
   const std::size_t rows = 1 + 2;
   const std::size_t of_a_row = (1 + 2) * (1 + 2) + 1;
-  EXPECT_EQ(make_plan(read_config(path)).size(), rows * of_a_row * 3 * 2);
-  EXPECT_EQ(make_plan(read_config(path, Size::quick)).size(), of_a_row * 2);
+  const std::size_t aside = 2 * 2;
+  EXPECT_EQ(make_plan(read_config(path)).size(), rows * of_a_row * 3 * 2 + aside);
+  EXPECT_EQ(make_plan(read_config(path, Size::quick)).size(), of_a_row * 2 + aside);
 }
 
 TEST(Config, IdentityIsOfWhatDecidesTheRuns) {

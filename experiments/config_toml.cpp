@@ -76,6 +76,7 @@ std::string override_block(const Override& change) {
   const std::vector<std::string> limits = limit_lines(change.limits);
   if (!sampling.empty()) lines.push_back(inline_table("sampling", sampling));
   if (!limits.empty()) lines.push_back(inline_table("limits", limits));
+  if (change.artefacts) lines.push_back(fmt::format("artefacts = {}", *change.artefacts));
   return block("[[override]]", lines);
 }
 
@@ -85,11 +86,18 @@ std::string vary_block(const Variation& variation) {
   return block("[[vary]]", {"key = " + toml(key), "values = " + toml_list(variation.values)});
 }
 
-std::string method_block(const MethodEntry& entry) {
+std::string method_block(const MethodEntry& entry, const std::string& header = "[[method]]") {
   std::vector<std::string> lines = {"name = " + toml(entry.name)};
   if (entry.label != entry.name) lines.push_back("label = " + toml(entry.label));
   for (const auto& [name, values] : entry.parameters) lines.push_back(name + " = " + toml_list(values));
-  return block("[[method]]", lines);
+  return block(header, lines);
+}
+
+std::string aside_block(const Aside& aside) {
+  std::string text = block("[[also]]", {"dataset = " + toml_list(aside.datasets), "seed = " + toml_list(aside.seeds),
+                                        inline_table("sampling", sampling_lines(aside.sampling))});
+  for (const MethodEntry& entry : aside.methods) text += method_block(entry, "[[also.method]]");
+  return text;
 }
 
 }  // namespace
@@ -107,6 +115,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   for (const Override& change : config.overrides) text += override_block(change);
   for (const Variation& variation : config.variations) text += vary_block(variation);
   for (const MethodEntry& entry : config.methods) text += method_block(entry);
+  for (const Aside& aside : config.also) text += aside_block(aside);
   text += block("[limits]", limit_lines(config.limits));
   text += block("[reference]", {"k = " + toml_list(config.reference_k)});
   if (config.published) text += block("[published]", {"source = " + toml(published)});
@@ -121,6 +130,7 @@ std::string identity(const Config& config) {
   plain.published.reset();
   for (Override& change : plain.overrides) {
     change.limits = {};
+    change.artefacts.reset();
     // An override may go by a label, which is no part of the identity; the method that it means is.
     for (std::string& target : change.methods) {
       for (const MethodEntry& entry : config.methods) {
@@ -128,6 +138,7 @@ std::string identity(const Config& config) {
       }
     }
   }
+  std::erase_if(plain.overrides, [](const Override& change) { return sampling_lines(change.sampling).empty(); });
   // By number, as two entries of one method may be told apart by their labels alone.
   for (std::size_t i = 0; config.match && i < config.methods.size(); ++i) {
     if (config.methods[i].label == config.match->to) plain.match->to = fmt::format("#{}", i);
@@ -141,6 +152,9 @@ std::string identity(const Config& config) {
     variation.method = entries;
   }
   for (MethodEntry& entry : plain.methods) entry.label = entry.name;
+  for (Aside& aside : plain.also) {
+    for (MethodEntry& entry : aside.methods) entry.label = entry.name;
+  }
   return to_toml(plain, "");
 }
 

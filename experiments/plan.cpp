@@ -107,20 +107,26 @@ bool applies(const Override& change, const std::string& dataset, const MethodEnt
   return dataset_agrees && method_agrees;
 }
 
-// Sampling and limits of one dataset and method, later overrides on top of earlier ones, what is varied on top of all.
-std::pair<Sampling, Limits> resolve(const Config& config, const std::string& dataset, const MethodEntry& entry,
-                                    const Change& vary) {
-  Sampling sampling = config.sampling;
-  Limits limits = config.limits;
+// What overrides and variations can change.
+struct Circumstances {
+  Sampling sampling;
+  Limits limits;
+  bool artefacts = false;
+};
+
+// Of one dataset and method: later overrides on top of earlier ones, what is varied on top of all.
+Circumstances resolve(const Config& config, const std::string& dataset, const MethodEntry& entry, const Change& vary) {
+  Circumstances all{config.sampling, config.limits, config.artefacts};
   for (const Override& change : config.overrides) {
     if (!applies(change, dataset, entry)) continue;
-    sampling = merged(sampling, change.sampling);
-    if (change.limits.minutes) limits.minutes = change.limits.minutes;
-    if (change.limits.memory_gb) limits.memory_gb = change.limits.memory_gb;
+    all.sampling = merged(all.sampling, change.sampling);
+    if (change.limits.minutes) all.limits.minutes = change.limits.minutes;
+    if (change.limits.memory_gb) all.limits.memory_gb = change.limits.memory_gb;
+    all.artefacts = change.artefacts.value_or(all.artefacts);
   }
-  if (vary.of("sampling")) sampling = merged(sampling, variation_sampling(*vary.variation, vary.value));
-  check_kind(sampling);
-  return {sampling, limits};
+  if (vary.of("sampling")) all.sampling = merged(all.sampling, variation_sampling(*vary.variation, vary.value));
+  check_kind(all.sampling);
+  return all;
 }
 
 // What a slip of the pen asks for, before it fills the memory.
@@ -155,7 +161,7 @@ void add_seeds(const Config& config, RunRequest request, std::vector<RunRequest>
 std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset, const MethodEntry& entry,
                                 const Change& change) {
   const Method& found = method(entry.name, entry.place);
-  const auto [sampling, limits] = resolve(config, dataset, entry, change);
+  const auto [sampling, limits, artefacts] = resolve(config, dataset, entry, change);
   check_number(number_of_runs(config, entry, sampling));
   std::vector<int> references = config.reference_k;
   if (change.of("reference")) references = {static_cast<int>(std::get<double>(change.value))};
@@ -166,7 +172,7 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
   request.method_revision = found.revision;
   request.metrics_revision = metrics_revision;
   request.alone = config.timing;
-  request.artefacts = config.artefacts;
+  request.artefacts = artefacts;
   request.limit_minutes = limits.minutes;
   request.limit_memory_gb = limits.memory_gb;
   std::vector<RunRequest> runs;
@@ -240,6 +246,23 @@ void add_variation(const std::vector<RunRequest>& runs, Seen& seen, std::vector<
   }
 }
 
+// An [[also]], as an experiment of its own.
+void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector<RunRequest>& plan) {
+  Config own;
+  own.seeds = aside.seeds;
+  own.sampling = aside.sampling;
+  own.limits = config.limits;
+  own.reference_k = {config.reference_k.front()};
+  for (const std::string& dataset : aside.datasets) {
+    for (const MethodEntry& entry : aside.methods) {
+      std::vector<RunRequest> runs = runs_of(own, dataset, entry, Change{});
+      for (RunRequest& request : runs) request.aside = true;
+      add_base(runs, seen, plan);
+    }
+  }
+  check_number(static_cast<double>(plan.size()));
+}
+
 }  // namespace
 
 std::vector<RunRequest> make_plan(const Config& config) {
@@ -258,6 +281,7 @@ std::vector<RunRequest> make_plan(const Config& config) {
       }
     }
   }
+  for (const Aside& aside : config.also) add_aside(config, aside, seen, plan);
   return plan;
 }
 

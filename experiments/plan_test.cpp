@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -261,6 +263,54 @@ values = [0.1]
     if (request.sizing.delta == 0.1 && request.label != "best") {
       EXPECT_NE(request.match_to.find("-d0.1-"), std::string::npos) << request.match_to;
     }
+  }
+}
+
+TEST(Plan, WhatIsForAFigureStandsAside) {
+  const std::string text = R"(dataset = "torus"
+[sampling]
+epsilon = 0.5
+delta = 0.3
+[[override]]
+method = "particles"
+artefacts = true
+[[method]]
+name = "particles"
+[[method]]
+name = "marching-cubes"
+[[also]]
+dataset = "rounded-box"
+seed = [1, 2]
+sampling = { epsilon = [1.0, 0.6], delta = 0.3 }
+method = { name = "particles", label = "unfinished", finish = 0 }
+)";
+  const std::vector<RunRequest> plan = plan_of(text);
+  ASSERT_EQ(plan.size(), 2U + 4U);
+  for (const RunRequest& request : plan) {
+    EXPECT_EQ(request.aside, request.dataset == "rounded-box");
+    EXPECT_EQ(request.artefacts, request.label == "particles");
+    EXPECT_EQ(request.label == "unfinished", request.aside);
+  }
+  EXPECT_TRUE(plan_from_json(plan_to_json(plan), "plan").back().aside);
+  // What a results folder keeps of it gives the same plan; to keep artefacts or not is no other experiment.
+  const TestFolder folder;
+  const Config config = read_config(folder.write("config.toml", text));
+  const Config stored = read_config(folder.write("stored.toml", to_toml(config, "")));
+  EXPECT_EQ(plan_to_json(make_plan(stored)), plan_to_json(plan));
+  Config without = config;
+  without.overrides.clear();
+  EXPECT_EQ(identity(without), identity(config));
+  without.also[0].seeds = {1};
+  EXPECT_NE(identity(without), identity(config));
+}
+
+TEST(Plan, ThePapersExperimentHasTheGridOfItsSecondFigure) {
+  if (std::getenv("ISOBENCH_DATA") == nullptr) GTEST_SKIP() << "ISOBENCH_DATA is not set: the checksums need the files";
+  const auto plan = make_plan(read_config(ISOBENCH_EXPERIMENTS "/paper.toml"));
+  EXPECT_EQ(std::count_if(plan.begin(), plan.end(), [](const RunRequest& r) { return r.aside; }), 81);
+  const auto sweep = make_plan(read_config(ISOBENCH_EXPERIMENTS "/sweep.toml"));
+  for (const RunRequest& request : sweep) {
+    EXPECT_TRUE(std::any_of(plan.begin(), plan.end(), [&](const RunRequest& r) { return r.run == request.run; }));
   }
 }
 

@@ -18,6 +18,9 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
 void write_artefacts(const std::map<std::string, Artefact>& artefacts, const Lattice& lattice,
                      const std::filesystem::path& folder);
 
+/// Reads such a file back; its points stay in the world. Throws DataError for one that is missing or damaged.
+Artefact read_artefact(const std::filesystem::path& path);
+
 /// Reads a triangle mesh; STL's coincident corners are merged. Throws UsageError for an unknown ending, DataError for a
 /// file that is missing, empty, truncated, foreign, has polygons other than triangles, indices out of range or
 /// coordinates that are not finite.

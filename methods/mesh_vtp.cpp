@@ -136,6 +136,20 @@ TriangleMesh read_vtp(const std::filesystem::path& path) {
   return mesh;
 }
 
+Artefact read_artefact(const std::filesystem::path& path) {
+  read_bytes(path);  // which says so where there is nothing to read
+  const VtkXmlFile file(path, "PolyData");
+  TriangleMesh points;
+  for (const VtkElement& piece : file.data().children) {
+    if (piece.name != "Piece") continue;
+    const std::size_t before = points.vertices.size();
+    const std::size_t count = file.count(piece, "NumberOfPoints");
+    add_points(file, piece, count, points);
+    add_data(file, piece.child("PointData"), count, before, points.vertex_data);
+  }
+  return {std::move(points.vertices), std::move(points.vertex_data)};
+}
+
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path) {
   vtkNew<vtkCellArray> cells;
   for (const Triangle& t : mesh.triangles) cells->InsertNextCell({t[0], t[1], t[2]});

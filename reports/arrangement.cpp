@@ -18,6 +18,7 @@ class Naming {
     std::map<std::string, std::set<std::string>> sizings;
     std::map<std::string, std::set<int>> references;
     for (const RunRecord& record : records) {
+      if (record.request.aside) continue;
       const std::string key = record.request.dataset + "/" + record.request.label;
       sizings[key].insert(sizing_name(record.request.sizing));
       references[key].insert(record.request.reference_k);
@@ -52,6 +53,7 @@ Arrangement arrange(const Results& results) {
   Arrangement arrangement;
   for (const RunRecord& record : results.records) {
     const RunRequest& request = record.request;
+    if (request.aside) continue;
     auto& datasets = arrangement.datasets;
     if (std::find(datasets.begin(), datasets.end(), request.dataset) == datasets.end()) {
       datasets.push_back(request.dataset);

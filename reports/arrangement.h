@@ -28,7 +28,7 @@ struct Arrangement {
 /// default.
 std::string sizing_name(const SizingRequest& sizing);
 
-/// Points into `results`.
+/// Of all runs but those that are aside. Points into `results`.
 Arrangement arrange(const Results& results);
 
 /// The runs of a variant on a dataset, of every seed and repeat; empty where there is none.

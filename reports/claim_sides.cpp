@@ -31,7 +31,7 @@ Runs runs_for(const Results& results, const PublishedMethod& method) {
     Runs all;
     Runs plain;
     for (const RunRecord& record : results.records) {
-      if (record.request.method != name) continue;
+      if (record.request.method != name || record.request.aside) continue;
       all.push_back(&record);
       if (record.request.label == name) plain.push_back(&record);
     }

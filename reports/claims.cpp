@@ -64,6 +64,7 @@ Cell cell_of(const RunRecord& record) { return {record.request.dataset, sizing_n
 std::vector<Cell> cells_of(const Results& results) {
   std::vector<Cell> cells;
   for (const RunRecord& record : results.records) {
+    if (record.request.aside) continue;
     const Cell cell = cell_of(record);
     if (std::find(cells.begin(), cells.end(), cell) == cells.end()) cells.push_back(cell);
   }

@@ -13,6 +13,8 @@ namespace isobench {
 
 namespace {
 
+constexpr std::size_t most_open_rows = 60;  // of a table; longer ones are folded
+
 // What a cell sorts by: its first number, else a number that was published, else nothing.
 std::string sort_key(const TableCell& cell) {
   if (!cell.figures.empty() && std::isfinite(cell.figures.front().spread.median)) {
@@ -88,13 +90,17 @@ std::string html_prose(std::string_view text) {
   return result + (code ? "</code>" : "");
 }
 
-std::string data_uri(const std::string& media_type, const std::string& bytes) {
+std::string base64(const std::string& bytes) {
   std::string encoded(4 * ((bytes.size() + 2) / 3) + 1, '\0');
   const int length =
       EVP_EncodeBlock(reinterpret_cast<unsigned char*>(encoded.data()),
                       reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
   encoded.resize(static_cast<std::size_t>(length));
-  return "data:" + media_type + ";base64," + encoded;
+  return encoded;
+}
+
+std::string data_uri(const std::string& media_type, const std::string& bytes) {
+  return "data:" + media_type + ";base64," + base64(bytes);
 }
 
 std::string html(const Table& table) {
@@ -102,6 +108,8 @@ std::string html(const Table& table) {
   const bool leans = std::any_of(table.rows.begin(), table.rows.end(),
                                  [](const TableRow& row) { return row.empty() || row.front().text().empty(); });
   std::string text = "<h3>" + html_escaped(table.title) + "</h3>\n";
+  const bool folded = table.rows.size() > most_open_rows;
+  if (folded) text += fmt::format("<details><summary>{} rows</summary>\n", table.rows.size());
   text += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", leans ? "" : " class=\"sortable\"");
   for (const std::string& column : table.header) text += "<th scope=\"col\">" + html_escaped(column) + "</th>";
   text += "</tr></thead>\n<tbody>\n";
@@ -111,6 +119,7 @@ std::string html(const Table& table) {
     text += "</tr>\n";
   }
   text += "</tbody></table></div>\n";
+  if (folded) text += "</details>\n";
   for (const std::string& remark : table.remarks) text += "<p class=\"remark\">" + html_prose(remark) + "</p>\n";
   if (!table.source.empty()) text += "<p class=\"remark\">" + html_escaped(table.source) + "</p>\n";
   return text + definitions_html(table);

@@ -12,18 +12,19 @@ namespace isobench {
 
 namespace {
 
+// What stands under a figure's number is not repeated.
 std::string plots_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
   std::string text;
   for (const Plot& plot : exhibits.plots) {
-    if (std::find(exhibits.drawn.begin(), exhibits.drawn.end(), plot.name) == exhibits.drawn.end()) continue;
-    const std::string svg = read_text(folder / "plots" / (plot.name + ".svg"));
-    text += fmt::format(
-        "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{} "
-        "<a href=\"plots/{}.svg\">SVG</a></figcaption></figure>\n",
-        data_uri("image/svg+xml", svg), html_escaped(plot.title), html_escaped(plot.caption), plot.name);
+    const bool shown = std::find(exhibits.shown.begin(), exhibits.shown.end(), plot.name) != exhibits.shown.end();
+    if (!shown && drawn(exhibits, plot)) text += plot_html(plot, folder);
   }
-  return text.empty() ? ""
-                      : "<section id=\"plots\"><h2>Plots</h2>\n<div class=\"figures\">\n" + text + "</div></section>\n";
+  if (text.empty()) return "";
+  const char* elsewhere = exhibits.shown.empty() ? ""
+                                                 : "<p class=\"remark\">Histograms of radius ratios and edge "
+                                                   "lengths stand above, under their figures' numbers.</p>\n";
+  return std::string("<section id=\"plots\"><h2>Plots</h2>\n") + elsewhere + "<div class=\"figures\">\n" + text +
+         "</div></section>\n";
 }
 
 std::string pictures_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
@@ -35,11 +36,7 @@ std::string pictures_html(const Exhibits& exhibits, const std::filesystem::path&
               "</h3>\n<div class=\"figures pictures\">\n";
       group = picture.group;
     }
-    text += fmt::format(
-        "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption><b>{}</b> {} "
-        "<a href=\"{}\">PNG</a></figcaption></figure>\n",
-        data_uri("image/jpeg", read_text(folder / picture.preview)), html_escaped(picture.group + ": " + picture.title),
-        html_escaped(picture.title), html_escaped(picture.caption), html_escaped(picture.file));
+    text += picture_html(picture, folder);
   }
   return text.empty() ? "" : "<section id=\"pictures\"><h2>Pictures</h2>\n" + text + "</div></section>\n";
 }
@@ -75,6 +72,8 @@ std::string navigation(const std::string& body) {
   static const std::vector<std::pair<const char*, const char*>> sections = {{"summary", "In words"},
                                                                             {"gaps", "Failures and skips"},
                                                                             {"claims", "Published beside measured"},
+                                                                            {"figures", "Figures of the paper"},
+                                                                            {"turn", "3D"},
                                                                             {"tables", "Tables"},
                                                                             {"plots", "Plots"},
                                                                             {"pictures", "Pictures"},
@@ -90,16 +89,37 @@ std::string navigation(const std::string& body) {
 
 }  // namespace
 
-std::string page(const Results& results, const Exhibits& exhibits, const std::filesystem::path& folder) {
-  const std::string body = summary_html(results) + gaps_html(results) + claims_html(results) + tables_html(results) +
-                           plots_html(exhibits, folder) + pictures_html(exhibits, folder) + provenance_html(results) +
-                           citations_html(results);
+bool drawn(const Exhibits& exhibits, const Plot& plot) {
+  return std::find(exhibits.drawn.begin(), exhibits.drawn.end(), plot.name) != exhibits.drawn.end();
+}
+
+std::string plot_html(const Plot& plot, const std::filesystem::path& folder) {
+  const std::string svg = read_text(folder / "plots" / (plot.name + ".svg"));
+  return fmt::format(
+      "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{} "
+      "<a href=\"plots/{}.svg\">SVG</a></figcaption></figure>\n",
+      data_uri("image/svg+xml", svg), html_escaped(plot.title), html_escaped(plot.caption), plot.name);
+}
+
+std::string picture_html(const Picture& picture, const std::filesystem::path& folder) {
+  return fmt::format(
+      "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption><b>{}</b> {} "
+      "<a href=\"{}\">PNG</a></figcaption></figure>\n",
+      data_uri("image/jpeg", read_text(folder / picture.preview)), html_escaped(picture.group + ": " + picture.title),
+      html_escaped(picture.title), html_escaped(picture.caption), html_escaped(picture.file));
+}
+
+std::string page(const Results& results, Exhibits exhibits, const std::filesystem::path& folder) {
+  std::string body = summary_html(results) + gaps_html(results) + claims_html(results);
+  body += plates_html(results, exhibits, folder);
+  body += turnable_html(exhibits, folder) + tables_html(results) + plots_html(exhibits, folder) +
+          pictures_html(exhibits, folder) + provenance_html(results) + citations_html(results);
   const std::string title = html_escaped(results.title);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          title + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" + page_style +
          "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n" + banner(results, exhibits) + navigation(body) + body +
-         "<script>\n" + page_script + "</script>\n</body>\n</html>\n";
+         "<script>\n" + page_script + turning_script + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace isobench

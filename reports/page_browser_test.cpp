@@ -1,80 +1,57 @@
-// The page in a browser: chromium without a window. It is asked by a script that is added to a copy of the page, and
-// answers in the page's own text.
+// The page in a browser, as a reader uses it.
 #include <gtest/gtest.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 
-#include "datasets/run_tool.h"
 #include "datasets/test_folder.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
 #include "metrics/sample_meshes.h"
-#include "reports/page.h"
 #include "reports/report.h"
 #include "reports/sample_records.h"
+#include "reports/tables.h"
+#include "reports/test_browser.h"
+#include "reports/test_pixels.h"
 
 namespace isobench {
 namespace {
 
-constexpr const char* listener =
-    "<script>const problems = [];\n"
-    "window.addEventListener('error', (e) => problems.push(String(e.message)), true);\n"
-    "const told = console.error; console.error = (...words) => { problems.push(words.join(' ')); told(...words); };\n"
-    "</script>\n";
+constexpr const char* published = R"(source = "A paper"
+[[method]]
+printed = "ps"
+name = "ours"
+[[plate]]
+number = 6
+shows = "mesh"
+dataset = "box"
+caption = "A torus."
+[[plate]]
+number = 9
+shows = "mesh"
+dataset = "vessel"
+caption = "Of what was not run."
+)";
 
-constexpr const char* questions = R"(<script>
-const column = (table) => Array.from(table.tBodies[0].rows, (row) => row.cells[1].dataset.sort ?? row.cells[1].textContent);
-const answers = {};
-const ratios = Array.from(document.querySelectorAll('h3')).find((h) => h.textContent.startsWith('Table 2')).nextElementSibling
-  .querySelector('table');
-ratios.tHead.rows[0].cells[1].querySelector('button').click();
-answers.up = column(ratios).join(' ');
-ratios.tHead.rows[0].cells[1].querySelector('button').click();
-answers.down = column(ratios).join(' ');
-for (const image of document.images) image.loading = 'eager';
-setTimeout(() => {
-  answers.images = Array.from(document.images).filter((image) => image.complete && image.naturalWidth > 0).length;
-  answers.requests = performance.getEntriesByType('resource').filter((r) => !r.name.startsWith('data:')).length;
-  answers.problems = problems.join('; ');
-  const line = document.createElement('p');
-  line.textContent = 'ANSWERS' + Object.entries(answers).map(([key, value]) => ` ${key}=[${value}]`).join('');
-  document.body.append(line);
-}, 5000);
-</script>)";
-
-bool chromium_is_there() { return std::system("chromium --version >/dev/null 2>&1") == 0; }
-
-// What chromium says, asked for this.
-std::string seen(const TestFolder& folder, const std::string& html, const std::vector<std::string>& options) {
-  const std::filesystem::path file = folder.write("seen.html", html);
-  std::vector<std::string> words = {"chromium", "--headless", "--no-sandbox", "--disable-gpu",
-                                    "--user-data-dir=" + (folder.path() / "browser").string()};
-  words.insert(words.end(), options.begin(), options.end());
-  words.push_back("file://" + file.string());
-  EXPECT_TRUE(run_tool(words, folder.path()));
-  return read_text(folder.path() / "log.txt");
-}
-
-// A finished experiment with two meshes.
-std::string made_page(const TestFolder& folder) {
+// A finished experiment of two methods: of one the page turns the mesh as it is, of the other a copy.
+std::filesystem::path made_report(const TestFolder& folder) {
   std::vector<RunRequest> plan;
   for (const std::string& method : {std::string("ours"), std::string("theirs")}) {
     RunRecord record = sample_record("box", method);
     record.measurement->radius_ratio.min = method == "ours" ? 0.75 : 0.5;
-    TriangleMesh mesh = sample_meshes::torus(method == "ours" ? 24 : 12);
+    const TriangleMesh mesh = sample_meshes::torus(method == "ours" ? 24 : 80);
     record.mesh_checksum = checksum(mesh);
+    record.measurement->triangles = mesh.triangles.size();
     std::filesystem::create_directories(folder.path() / record.request.run);
     write_mesh(mesh, folder.path() / record.request.run / "mesh.vtp");
     write_record(record, folder.path() / record.request.run / "run.json");
     plan.push_back(record.request);
   }
   write_text(folder.path() / "plan.json", plan_to_json(plan));
-  write_report(folder.path());
-  return read_text(folder.path() / "report.html");
+  write_text(folder.path() / "published.toml", published);
+  EXPECT_EQ(write_report(folder.path()).missing, std::vector<std::string>{});
+  return folder.path() / "report.html";
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -83,50 +60,132 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST(SlowPageInABrowser, ShowsEverythingSortsAndAsksNoNetwork) {
-  if (!chromium_is_there()) GTEST_SKIP() << "chromium is not installed";
-  const TestFolder folder;
-  std::string html = made_page(folder);
-  const std::size_t images = count_of(html, "<img ");
-  EXPECT_GT(images, 6U);  // two meshes, three pictures each, and plots
-  html.insert(html.find("<style>"), listener);
-  html.insert(html.rfind("</body>"), questions);
-  const std::string dom = seen(folder, html, {"--virtual-time-budget=20000", "--dump-dom"});
-  EXPECT_NE(dom.find("up=[0.5 0.75]"), std::string::npos);
-  EXPECT_NE(dom.find("down=[0.75 0.5]"), std::string::npos);
-  EXPECT_NE(dom.find("images=[" + std::to_string(images) + "]"), std::string::npos);  // and every one could be decoded
-  EXPECT_NE(dom.find("requests=[0]"), std::string::npos);
-  EXPECT_NE(dom.find("problems=[]"), std::string::npos)
-      << dom.substr(std::min(dom.size(), dom.find("<p>ANSWERS")), 400);
+// How many of the pixels of a page are those of a mesh: neither white nor grey.
+int coloured(const std::string& png) {
+  return Pixels(png).count([](const Colour& c) {
+    return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}) > 40;
+  });
 }
 
-TEST(SlowPageInABrowser, ReadsWithoutScripts) {
-  if (!chromium_is_there()) GTEST_SKIP() << "chromium is not installed";
-  const TestFolder folder;
-  const std::filesystem::path shot = folder.path() / "shot.png";
-  made_page(folder);
-  // In a sandbox of no rights nothing of the page's is run.
-  const std::string framed =
-      "<body style=\"margin:0\"><iframe sandbox src=\"report.html\" "
-      "style=\"border:0;width:1200px;height:2400px\"></iframe>";
-  seen(folder, framed, {"--hide-scrollbars", "--window-size=1200,2400", "--screenshot=" + shot.string()});
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(shot.c_str());
-  reader->Update();
-  int size[3];
-  reader->GetOutput()->GetDimensions(size);
-  ASSERT_EQ(size[0], 1200);
-  ASSERT_EQ(size[1], 2400);
-  // Dark pixels are text; a page of tables has some in most of its rows.
-  int rows_with_text = 0;
-  for (int y = 0; y < size[1]; ++y) {
-    int dark = 0;
-    for (int x = 0; x < size[0]; ++x) {
-      dark += *static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer(x, y, 0)) < 100 ? 1 : 0;
+// How many pixels two pictures of one size differ in, but for a frame that tells where keys go.
+int differing(const std::string& before, const std::string& after) {
+  const Pixels a(before);
+  const Pixels b(after);
+  constexpr int frame = 8;
+  int count = 0;
+  for (int y = frame; y < a.height() - frame; ++y) {
+    for (int x = frame; x < a.width() - frame; ++x) {
+      const Colour p = a.at(x, y);
+      const Colour q = b.at(x, y);
+      count += std::abs(p.red - q.red) + std::abs(p.green - q.green) + std::abs(p.blue - q.blue) > 30 ? 1 : 0;
     }
-    rows_with_text += dark > 3 ? 1 : 0;
   }
-  EXPECT_GT(rows_with_text, size[1] / 4);
+  return count;
+}
+
+class SlowPageInABrowser : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string missing = Browser::missing(); !missing.empty()) GTEST_SKIP() << missing;
+    page_ = made_report(folder_);
+    browser_ = std::make_unique<Browser>(browser_folder_.path());
+  }
+  void TearDown() override {
+    if (!browser_) return;
+    EXPECT_EQ(browser_->complaints(), std::vector<std::string>{});
+    EXPECT_EQ(browser_->requests(), std::vector<std::string>{});
+  }
+
+  void see_every_table_plot_and_picture() {
+    const std::string html = read_text(page_);
+    const std::size_t images = count_of(html, "<img ");
+    EXPECT_GT(images, 12U);  // of two meshes three pictures each, two under Figure 6, and plots
+    browser_->ask("for (const image of document.images) image.loading = 'eager';");
+    EXPECT_TRUE(browser_->eventually("return Array.from(document.images).every((image) => image.complete)"));
+    EXPECT_EQ(browser_->ask("return Array.from(document.images).filter((image) => image.naturalWidth > 0 && "
+                            "image.clientWidth > 100).length"),
+              images);
+    const auto titles = browser_->ask("return Array.from(document.querySelectorAll('h3'), (h) => h.textContent)");
+    for (const Table& table : all_tables(load_results(folder_.path())))
+      EXPECT_NE(std::find(titles.begin(), titles.end(), table.title), titles.end()) << table.title;
+    EXPECT_EQ(browser_->ask("return Array.from(document.querySelectorAll('table')).filter((t) => t.rows.length < 2 && "
+                            "t.className !== 'facts').length"),
+              0);
+    // The figure that there is stands under its number; of the other it says what it needs.
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('#figures h3').length"), 2);
+    EXPECT_NE(html.find("it needs a finished run of vessel"), std::string::npos);
+  }
+
+  void sort_a_table_by_a_click() {
+    browser_->ask(
+        "Array.from(document.querySelectorAll('h3')).find((h) => h.textContent.startsWith('Table "
+        "2')).nextElementSibling"
+        ".querySelector('table').id = 'ratios';");
+    const std::string column =
+        "return Array.from(document.querySelectorAll('#ratios tbody tr'), (row) => "
+        "row.cells[1].dataset.sort).join(' ')";
+    browser_->click("#ratios th:nth-child(2) button");
+    EXPECT_EQ(browser_->ask(column), "0.5 0.75");
+    browser_->click("#ratios th:nth-child(2) button");
+    EXPECT_EQ(browser_->ask(column), "0.75 0.5");
+    EXPECT_EQ(browser_->ask("return document.querySelector('#ratios th:nth-child(2)').ariaSort"), "descending");
+  }
+
+  void turn_a_mesh_by_a_drag() {
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 0);  // none before it is asked for
+    browser_->click("td[data-whole] button");
+    const std::string before = browser_->picture(".stage canvas");
+    const int size = coloured(before);
+    EXPECT_GT(size, 10000);  // no blank
+    browser_->drag(".stage canvas", 120, 60);
+    const std::string after = browser_->picture(".stage canvas");
+    EXPECT_GT(coloured(after), 10000);
+    EXPECT_GT(differing(before, after), 10000);
+    // Keys do the same, and 0 brings the first view back.
+    browser_->type(".stage canvas", "0");
+    EXPECT_LT(differing(before, browser_->picture(".stage canvas")), 100);
+    browser_->turn_wheel(".stage canvas", 700);
+    EXPECT_LT(coloured(browser_->picture(".stage canvas")), size / 2);  // half as large: a quarter of the pixels
+  }
+
+  void turn_a_copy_of_a_large_mesh_and_its_worst_place() {
+    browser_->click("td[data-worst] button:nth-of-type(1)");
+    EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
+    const std::string caption = browser_->ask("return document.querySelector('.stage figcaption').textContent");
+    EXPECT_NE(caption.find("of a mesh of 25,600"), std::string::npos) << caption;
+    browser_->click("td[data-worst] button:nth-of-type(2)");
+    EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 1);  // one at a time
+  }
+
+  TestFolder folder_;
+  TestFolder browser_folder_;
+  std::filesystem::path page_;
+  std::unique_ptr<Browser> browser_;
+};
+
+// One after the other in one browser: starting it takes longer than all of them.
+TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
+  browser_->open(page_);
+  see_every_table_plot_and_picture();
+  sort_a_table_by_a_click();
+  turn_a_mesh_by_a_drag();
+  turn_a_copy_of_a_large_mesh_and_its_worst_place();
+}
+
+TEST_F(SlowPageInABrowser, ReadsWithoutScripts) {
+  browser_->forbid_scripts();
+  browser_->open(page_);
+  // Nothing of the page's own has run, and all that is to be read is there.
+  EXPECT_EQ(browser_->ask("return document.querySelectorAll('button').length"), 0);
+  const std::string text = browser_->ask("return document.body.innerText");
+  for (const std::string part : {"Compared: 2 methods", "Worst triangle", "Figure 6", "A torus.", "How to cite"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  for (const Table& table : all_tables(load_results(folder_.path())))
+    EXPECT_NE(text.find(table.title), std::string::npos) << table.title;
+  EXPECT_GE(browser_->ask("return document.querySelectorAll('a[href$=\"/mesh.vtp\"]').length").get<int>(), 2);
+  browser_->click("details summary");  // folds need no script
+  EXPECT_EQ(browser_->ask("return document.querySelectorAll('details[open]').length"), 1);
 }
 
 }  // namespace

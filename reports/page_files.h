@@ -1,9 +1,10 @@
-// page.css and page.js, which lie beside this and are compiled into the program.
+// page.css, page.js and turning.js, which lie beside this and are compiled into the program.
 #pragma once
 
 namespace isobench {
 
 extern const char* const page_style;
 extern const char* const page_script;
+extern const char* const turning_script;
 
 }  // namespace isobench

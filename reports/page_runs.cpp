@@ -1,6 +1,8 @@
 // Where each run comes from, behind a fold.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/arrangement.h"
 #include "reports/html.h"
 #include "reports/page.h"
@@ -94,9 +96,6 @@ void add_outcome(const RunRecord& record, Facts& facts) {
   for (const std::string& note : record.notes) facts.add("note", note);
 }
 
-// More folds than that make a page of many megabytes that nobody unfolds.
-constexpr std::size_t most_runs = 1000;
-
 std::string run_html(const RunRecord& record) {
   Facts facts;
   add_outcome(record, facts);
@@ -111,19 +110,28 @@ std::string run_html(const RunRecord& record) {
          facts.html() + "</details>\n";
 }
 
+// Beyond these a page of runs is searched, not read: run.json has all that a fold has.
+constexpr std::size_t most_folds = 200;
+
+std::string others_html(const Results& results) {
+  std::string text;
+  for (std::size_t n = most_folds; n < results.records.size(); ++n) {
+    const RunRecord& record = results.records[n];
+    const std::string run = html_escaped(record.request.run);
+    text += fmt::format("<li><a href=\"{0}/run.json\">{0}</a> {1}</li>\n", run, to_string(record.status));
+  }
+  return fmt::format("<details><summary>{} further runs, each with its run.json</summary>\n<ul>\n{}</ul></details>\n",
+                     results.records.size() - most_folds, text);
+}
+
 }  // namespace
 
 std::string provenance_html(const Results& results) {
   if (results.records.empty()) return "";
   std::string text = "<section id=\"runs\"><h2>Where each run comes from</h2>\n";
-  if (results.records.size() > most_runs) {
-    text += fmt::format(
-        "<p>{} runs are too many to be unfolded here: <a href=\"results.csv\">results.csv</a> has a row for each, and "
-        "the run.json in its folder says where it comes from.</p>\n",
-        results.records.size());
-  } else {
-    for (const RunRecord& record : results.records) text += run_html(record);
-  }
+  const std::size_t folds = std::min(most_folds, results.records.size());
+  for (std::size_t n = 0; n < folds; ++n) text += run_html(results.records[n]);
+  if (folds < results.records.size()) text += others_html(results);
   return text + "</section>\n";
 }
 

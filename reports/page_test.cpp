@@ -1,9 +1,11 @@
 #include "reports/page.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "datasets/test_folder.h"
 #include "reports/html.h"
+#include "reports/plots.h"
 #include "reports/report.h"
 #include "reports/sample_records.h"
 #include "reports/tables.h"
@@ -157,6 +159,71 @@ TEST(Page, CitesDataWithLicenceAndAcknowledgement) {
   EXPECT_NE(text.find("CT scanner data courtesy of North Carolina Memorial Hospital"), std::string::npos);
   EXPECT_NE(text.find("Licence: free to redistribute with acknowledgement"), std::string::npos);
   EXPECT_NE(text.find("IEEE Transactions on Visualization and Computer Graphics"), std::string::npos);
+}
+
+TEST(Page, PutsFiguresUnderTheirNumbers) {
+  const TestFolder folder;
+  Exhibits exhibits;
+  for (const char* shot : {shots::whole, shots::closer, shots::worst}) {
+    for (const char* method : {"theirs", "particles"}) {
+      const std::string name = std::string("pictures/") + method + shot;
+      folder.write(name + ".jpg", name);
+      exhibits.pictures.push_back({name + ".png", name + ".jpg", "pelvis", shot, false, "pelvis", method, ""});
+    }
+  }
+  Plot plot;
+  plot.name = "radius-ratio-pelvis";
+  plot.kind = "radius-ratio";
+  folder.write("plots/radius-ratio-pelvis.svg", "<svg/>");
+  exhibits.plots = {plot};
+  exhibits.drawn = {plot.name};
+  const std::string text = page(sample_results(), exhibits, folder.path());
+  EXPECT_EQ(first_unbalanced(text), "");
+  EXPECT_EQ(count_of(text, "<h3 id=\"figure-"), 9U);
+  EXPECT_EQ(count_of(text, "alt=\"pelvis: particles\""), 3U + 2U);  // Figure 6 shows the whole and a closer view
+  EXPECT_EQ(count_of(text, "alt=\"pelvis: theirs\""), 3U);
+  EXPECT_EQ(count_of(text, "plots/radius-ratio-pelvis.svg"), 1U);  // under Figure 5 and nowhere else
+  EXPECT_LT(text.find("figure-5"), text.find("plots/radius-ratio-pelvis.svg"));
+  EXPECT_LT(text.find("plots/radius-ratio-pelvis.svg"), text.find("figure-6"));
+  EXPECT_NE(text.find("it needs a finished run of vessel"), std::string::npos);
+}
+
+TEST(Page, OfManyRunsStaysUsable) {
+  const TestFolder folder;
+  Results results;
+  for (int n = 0; n < 2000; ++n) {
+    results.records.push_back(sample_record("pelvis", "ours", fmt::format("ours {}", n)));
+    results.missing.push_back(sample_record("skull", "ours", fmt::format("ours {}", n)).request);
+  }
+  const std::string text = page(results, {}, folder.path());
+  EXPECT_EQ(first_unbalanced(text), "");
+  EXPECT_LT(text.size(), 12000000U);
+  EXPECT_EQ(count_of(text, "<details class=\"run\">"), 200U);
+  EXPECT_NE(text.find("1800 further runs"), std::string::npos);
+  EXPECT_NE(text.find("And 1800 more that are not done yet."), std::string::npos);
+  EXPECT_NE(text.find("and 1988 more"), std::string::npos);
+  EXPECT_NE(text.find("<summary>2000 rows</summary>"), std::string::npos);
+  for (const Plot& plot : all_plots(results)) {
+    EXPECT_LE(plot.marks == Marks::stack ? plot.categories.size() : plot.series.size(), 24U) << plot.name;
+  }
+}
+
+TEST(Page, LeavesRunsForAFigureOutOfTheTables) {
+  Results results = sample_results();
+  for (const double epsilon : {1.0, 0.5}) {
+    for (const double delta : {0.6, 0.3}) {
+      RunRecord record = sample_record("box", "ours", "unfinished");
+      record.request.sizing.epsilon = epsilon;
+      record.request.sizing.delta = delta;
+      record.request.aside = true;
+      results.records.push_back(record);
+    }
+  }
+  for (const Table& table : all_tables(results)) {
+    const bool grid = table.title.starts_with("ε down");
+    EXPECT_EQ(html(table).find("unfinished") != std::string::npos, grid) << table.title;
+  }
+  EXPECT_NE(summary_html(results).find("for figures alone, 4 runs more"), std::string::npos);
 }
 
 TEST(Page, EscapesWhatOthersWrote) {

@@ -21,31 +21,47 @@ std::string plural(std::size_t count, const std::string& thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+// A dozen names say what there is; more are a list to skip.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
+}
 
-// In the order of the plan, each once.
+// In the order of the plan, each once; "" is nothing.
 template <class Of>
 std::vector<std::string> each(const Results& results, Of&& of) {
   std::vector<std::string> all;
   for (const RunRecord& record : results.records) {
     const std::string value = of(record);
-    if (std::find(all.begin(), all.end(), value) == all.end()) all.push_back(value);
+    const bool known = std::find(all.begin(), all.end(), value) != all.end();
+    if (!known && !value.empty()) all.push_back(value);
   }
   return all;
 }
 
+constexpr std::size_t most_missing = 200;  // runs that are named one by one
+
 std::string paragraph(const std::string& text) { return "<p>" + html_escaped(text) + "</p>\n"; }
 
 std::string compared(const Results& results, const Arrangement& runs) {
-  const std::vector<std::string> labels = each(results, [](const RunRecord& r) { return r.request.label; });
+  const std::vector<std::string> labels =
+      each(results, [](const RunRecord& r) { return r.request.aside ? "" : r.request.label; });
   std::set<std::uint64_t> seeds;
-  for (const RunRecord& record : results.records) seeds.insert(record.request.seed);
+  std::size_t aside = 0;
+  for (const RunRecord& record : results.records) {
+    if (record.request.aside)
+      ++aside;
+    else
+      seeds.insert(record.request.seed);
+  }
   std::string text = fmt::format("Compared: {} ({}) on {} ({})", plural(labels.size(), "method"), listed(labels),
                                  plural(runs.datasets.size(), "data set"), listed(runs.datasets));
   const std::vector<std::string> sizings =
-      each(results, [](const RunRecord& r) { return sizing_name(r.request.sizing); });
+      each(results, [](const RunRecord& r) { return r.request.aside ? "" : sizing_name(r.request.sizing); });
   if (sizings.size() <= 12) text += fmt::format(", asked for {}", fmt::join(sizings, " or "));
   if (seeds.size() > 1) text += fmt::format(", {} each", plural(seeds.size(), "seed"));
+  if (aside > 0) text += fmt::format("; and, for figures alone, {} more", plural(aside, "run"));
   return text + ".";
 }
 
@@ -143,8 +159,9 @@ std::string gaps_html(const Results& results) {
                         html_escaped(record.request.dataset), html_escaped(record.request.label),
                         to_string(record.status), html_escaped(record.reason));
   }
-  for (const RunRequest& request : results.missing) {
-    if (++gaps > most_rows) break;
+  const std::size_t shown = std::min(most_missing, results.missing.size());
+  for (std::size_t n = 0; n < shown; ++n) {
+    const RunRequest& request = results.missing[n];
     rows += fmt::format("<tr><th scope=\"row\">{}</th><th scope=\"row\">{}</th><td>not done yet</td><td></td></tr>\n",
                         html_escaped(request.dataset), html_escaped(request.label));
   }
@@ -158,7 +175,9 @@ std::string gaps_html(const Results& results) {
         "<th scope=\"col\">State</th><th scope=\"col\">Why</th></tr></thead>\n<tbody>\n" +
         rows + "</tbody></table></div>\n";
   }
-  if (gaps > most_rows) text += paragraph(fmt::format("… and more: the first {} are shown.", most_rows));
+  if (gaps > most_rows) text += paragraph(fmt::format("And {} more that did not end well.", gaps - most_rows));
+  if (shown < results.missing.size())
+    text += paragraph(fmt::format("And {} more that are not done yet.", results.missing.size() - shown));
   return "<section id=\"gaps\"><h2>Not finished, failed or skipped</h2>\n" + text + "</section>\n";
 }
 

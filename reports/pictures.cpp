@@ -2,16 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <set>
+#include <sstream>
 
-#include "datasets/error.h"
+#include "datasets/run_tool.h"
 #include "datasets/sha256.h"
-#include "methods/mesh_files.h"
-#include "metrics/radius_ratio.h"
+#include "reports/arrangement.h"
 #include "reports/markdown.h"
+#include "reports/render.h"
+#include "reports/sizing_grid.h"
 
 namespace isobench {
 
@@ -19,127 +20,127 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int width = 640;
-constexpr int height = 520;
-constexpr std::size_t most_meshes = 24;  // of a dataset: beyond that nobody looks
-constexpr double visible_edge = 5.0;     // pixels: shorter ones would hide the colours
-const Eigen::Vector3d from_a_corner(0.6, -0.7, 0.4);
+// Beyond these nobody looks, and the page grows.
+constexpr std::size_t most_of_a_dataset = 24;
+constexpr std::size_t most_meshes = 72;
+constexpr std::size_t most_triangles = 20000;          // of a mesh that the page turns
+constexpr std::size_t most_triangles_of_all = 800000;  // at about twelve bytes each
 
-double mean_edge(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).norm();
-  }
-  return sum / static_cast<double>(3 * mesh.triangles.size());
+void add_run(PictureGroup& group, const RunRecord& run, const std::string& name) {
+  group.runs.push_back(&run);
+  group.names.push_back(name);
 }
 
-Eigen::Vector3d scaled_normal(const TriangleMesh& mesh, const Triangle& t) {
-  return (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-}
-
-Scene scene_of(const TriangleMesh& mesh, const View& view) {
-  Scene scene;
-  scene.mesh = &mesh;
-  scene.values = radius_ratios(mesh);
-  scene.legend = "radius ratio";
-  scene.edges = mean_edge(mesh) * height / (2.0 * view.half_height) >= visible_edge;
-  return scene;
-}
-
-// The meshes of one dataset that are drawn together.
-struct Group {
-  std::string dataset;
-  std::vector<const RunRecord*> runs;
-  std::vector<std::string> names;
-  std::string key;  // of all that the shared cameras depend on
-};
-
-Group group_of(const Arrangement& runs, const std::string& dataset) {
-  Group group{dataset, {}, {}, fmt::format("{} {} {}", render_revision, width, height)};
+PictureGroup dataset_group(const Arrangement& runs, const std::string& dataset, std::size_t most,
+                           std::vector<std::string>& left_out) {
+  PictureGroup group;
+  group.dataset = group.title = dataset;
+  std::size_t meshes = 0;
   for (const Variant& variant : runs.variants) {
     const RunRecord* run = find_run(variant, dataset);
-    if (run == nullptr || run->status != Status::ok || group.runs.size() == most_meshes) continue;
-    group.runs.push_back(run);
-    group.names.push_back(variant.name);
-    group.key += " " + run->mesh_checksum;
+    if (run == nullptr || run->status != Status::ok) continue;
+    if (++meshes <= std::min(most, most_of_a_dataset)) add_run(group, *run, variant.name);
+  }
+  if (meshes > group.runs.size()) {
+    left_out.push_back(
+        fmt::format("Of {} the first {} of {} meshes have pictures.", dataset, group.runs.size(), meshes));
   }
   return group;
 }
 
-std::string file_name(const Group& group, const RunRecord& run, const std::string& kind, const char* ending = "png") {
-  const std::string hash = sha256_of_text(group.key + " " + run.mesh_checksum + " " + kind).substr(0, 8);
-  return fmt::format("pictures/{}-{}-{}.{}", run.request.run, kind, hash, ending);
-}
-
-std::size_t worst_triangle(const std::vector<double>& ratios) {
-  return static_cast<std::size_t>(std::min_element(ratios.begin(), ratios.end()) - ratios.begin());
-}
-
-struct Kind {
-  const char* name;
-  const char* group;
-};
-constexpr Kind kinds[] = {
-    {"whole", "the whole mesh"}, {"closer", "the same place of each, closer"}, {"worst", "the worst triangle of each"}};
-
-// Reads the meshes of a group and draws all their pictures.
-void draw_group(const Group& group, const fs::path& folder, Renderer& renderer) {
-  std::vector<TriangleMesh> meshes;
-  std::vector<const TriangleMesh*> pointers;
-  std::vector<double> lengths;
-  for (const RunRecord* run : group.runs) meshes.push_back(read_mesh(folder / run->request.run / "mesh.vtp"));
-  for (const TriangleMesh& mesh : meshes) {
-    pointers.push_back(&mesh);
-    lengths.push_back(mean_edge(mesh));
-  }
-  const View whole = view_of_all(pointers);
-  const View closer = closer_view(whole, meshes.front(), spread_of(lengths).median);
-  for (std::size_t n = 0; n < meshes.size(); ++n) {
-    const auto write = [&](const char* kind, const Scene& scene, const View& view) {
-      const Drawing drawing = renderer.draw(scene, view);
-      write_text(folder / file_name(group, *group.runs[n], kind, "jpg"), drawing.jpeg);
-      write_text(folder / file_name(group, *group.runs[n], kind), drawing.png);
-    };
-    Scene scene = scene_of(meshes[n], whole);
-    write("whole", scene, whole);
-    scene.edges = true;
-    write("closer", scene, closer);
-    scene.outlined = worst_triangle(scene.values);
-    write("worst", scene, view_of_triangle(meshes[n], *scene.outlined));
-  }
-}
-
-bool all_there(const Group& group, const fs::path& folder) {
-  for (const RunRecord* run : group.runs) {
-    for (const Kind& kind : kinds) {
-      for (const char* ending : {"png", "jpg"}) {
-        if (!fs::exists(folder / file_name(group, *run, kind.name, ending))) return false;
-      }
+PictureGroup grid_group(const SizingGrid& grid) {
+  PictureGroup group;
+  group.dataset = grid.dataset;
+  group.title = fmt::format("{}, {}: ε down, δ across", grid.dataset, grid.label);
+  group.grid = true;
+  group.across = grid.deltas.size();
+  for (const double epsilon : grid.epsilons) {
+    for (const double delta : grid.deltas) {
+      const auto cell = grid.cells.find({epsilon, delta});
+      if (cell == grid.cells.end()) continue;
+      const auto done = std::find_if(cell->second.begin(), cell->second.end(),
+                                     [](const RunRecord* run) { return run->status == Status::ok; });
+      if (done != cell->second.end()) add_run(group, **done, fmt::format("ε {}, δ {}", epsilon, delta));
     }
   }
-  return true;
+  return group;
 }
 
-void list_group(const Group& group, const fs::path& folder, Pictures& pictures) {
-  for (const Kind& kind : kinds) {
+// Its own files next to it tell what a run kept.
+bool kept(const fs::path& folder, const RunRecord& run, const char* artefact) {
+  return run.request.artefacts && fs::exists(folder / run.request.run / artefact);
+}
+
+bool all_there(const PictureGroup& group, const fs::path& folder) {
+  return std::all_of(group.runs.begin(), group.runs.end(), [&](const RunRecord* run) {
+    const std::vector<std::string> files = files_of(group, *run, folder);
+    return std::all_of(files.begin(), files.end(), [&](const std::string& file) { return fs::exists(folder / file); });
+  });
+}
+
+std::string caption_of(const RunRecord& run, const std::string& shot) {
+  if (shot == shots::closer) return "closer";
+  if (shot == shots::whole) return fmt::format("{} triangles", run.measurement->triangles);
+  if (shot == shots::worst) return "radius ratio " + significant(run.measurement->radius_ratio.min, 3);
+  if (shot == shots::medial_axis) return "the medial axis inside, coloured by its distance to the surface, mm";
+  if (shot == shots::initial_sizing) return "the longest edges that sampling allows, h0, mm";
+  if (shot == shots::limited_sizing) return "the same with its growth limited, h, mm";
+  return "the particles, before they are connected";
+}
+
+const std::vector<std::pair<const char*, const char*>>& titles() {
+  static const std::vector<std::pair<const char*, const char*>> all = {
+      {shots::whole, "the whole mesh"},
+      {shots::closer, "the same place of each, closer"},
+      {shots::worst, "the worst triangle of each"},
+      {shots::medial_axis, "the medial axis"},
+      {shots::initial_sizing, "the initial sizing field"},
+      {shots::limited_sizing, "the limited sizing field"},
+      {shots::particles, "the particles"},
+      {shots::particles_closer, "the particles, closer"}};
+  return all;
+}
+
+void list_pictures(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
+  for (const auto& [shot, title] : titles()) {
     for (std::size_t n = 0; n < group.runs.size(); ++n) {
-      const std::string file = file_name(group, *group.runs[n], kind.name);
-      if (!fs::exists(folder / file) || !fs::exists(folder / file_name(group, *group.runs[n], kind.name, "jpg")))
-        continue;
-      const Measurement& m = *group.runs[n]->measurement;
-      std::string caption = fmt::format("{} triangles", m.triangles);
-      if (std::string(kind.name) == "worst") caption = "radius ratio " + significant(m.radius_ratio.min, 3);
-      pictures.pictures.push_back({file, file_name(group, *group.runs[n], kind.name, "jpg"),
-                                   group.dataset + ": " + kind.group, group.names[n], caption});
+      const RunRecord& run = *group.runs[n];
+      const std::vector<std::string> wanted = shots_of(group, run, folder);
+      if (std::find(wanted.begin(), wanted.end(), shot) == wanted.end()) continue;
+      Picture picture{group.file(run, shot), group.file(run, shot, "jpg"), group.dataset, shot, group.grid, group.title,
+                      group.names[n],        caption_of(run, shot)};
+      if (!group.grid) picture.group += std::string(": ") + title;
+      if (fs::exists(folder / picture.file) && fs::exists(folder / picture.preview))
+        pictures.pictures.push_back(std::move(picture));
     }
   }
 }
 
-void remove_others(const fs::path& folder, const Pictures& pictures) {
+void list_others(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
+  if (group.grid) return;
+  for (std::size_t n = 0; n < group.runs.size(); ++n) {
+    const RunRecord& run = *group.runs[n];
+    for (const char* name : {PictureGroup::turn, PictureGroup::turn_worst}) {
+      const std::string file = group.file(run, name, "mesh");
+      if (!fs::exists(folder / file)) continue;
+      pictures.turnable.push_back({file, group.dataset, group.names[n], run.request.run,
+                                   name == std::string(PictureGroup::turn_worst), run.measurement->triangles});
+    }
+    const fs::path counts = folder / group.file(run, PictureGroup::over_h, "txt");
+    if (!fs::exists(counts)) continue;
+    EdgesOverH over{group.dataset, group.names[n], {}};
+    std::istringstream text(read_text(counts));
+    for (std::uint32_t count = 0; text >> count;) over.counts.push_back(count);
+    pictures.edges_over_h.push_back(std::move(over));
+  }
+}
+
+void remove_others(const std::vector<PictureGroup>& groups, const fs::path& folder) {
   std::set<std::string> names;
-  for (const Picture& picture : pictures.pictures) {
-    names.insert(fs::path(picture.file).filename().string());
-    names.insert(fs::path(picture.preview).filename().string());
+  for (const PictureGroup& group : groups) {
+    for (const RunRecord* run : group.runs) {
+      for (const std::string& file : files_of(group, *run, folder)) names.insert(fs::path(file).filename().string());
+    }
   }
   std::vector<fs::path> others;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "pictures")) {
@@ -148,88 +149,85 @@ void remove_others(const fs::path& folder, const Pictures& pictures) {
   for (const fs::path& other : others) fs::remove_all(other);
 }
 
+// What the drawing program said of what it could not do, a sentence a line.
+std::vector<std::string> have_drawn(const fs::path& folder) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "isobench-pictures";
+  if (!fs::exists(program)) return {"Pictures cannot be drawn: " + program.string() + " is not there; build it."};
+  const ScratchFolder scratch(folder);
+  const bool ended_well = run_tool({program.string(), fs::absolute(folder).string()}, scratch.path());
+  std::vector<std::string> sentences;
+  std::istringstream log(fs::exists(scratch.path() / "log.txt") ? read_text(scratch.path() / "log.txt") : "");
+  for (std::string line; std::getline(log, line);) sentences.push_back(line);
+  if (!ended_well && sentences.empty()) sentences.emplace_back("The program that draws pictures broke off.");
+  return sentences;
+}
+
 }  // namespace
 
-View view_of_all(const std::vector<const TriangleMesh*>& meshes) {
-  Eigen::AlignedBox3d box;
-  for (const TriangleMesh* mesh : meshes) {
-    for (const Eigen::Vector3d& vertex : mesh->vertices) box.extend(vertex);
-  }
-  View view;
-  view.focus = box.center();
-  view.towards = from_a_corner;
-  // The box's corners, seen from there, decide how much is shown; the bar takes a part of the width.
-  const Eigen::Vector3d direction = from_a_corner.normalized();
-  const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized();
-  const Eigen::Vector3d up = direction.cross(right);
-  double across = 0.0;
-  double along = 0.0;
-  for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)) - view.focus;
-    across = std::max(across, std::abs(corner.dot(right)));
-    along = std::max(along, std::abs(corner.dot(up)));
-  }
-  view.half_height = 1.05 * std::max(along, across * height / (0.83 * width));
-  view.eye_distance = 2.0 * box.diagonal().norm();
-  return view;
+std::string PictureGroup::file(const RunRecord& run, const std::string& name, const char* ending) const {
+  const std::string hash = sha256_of_text(key + " " + run.mesh_checksum + " " + name).substr(0, 8);
+  return fmt::format("pictures/{}-{}-{}.{}", run.request.run, name, hash, ending);
 }
 
-View closer_view(const View& whole, const TriangleMesh& mesh, double edge_length) {
-  const Eigen::Vector3d direction = whole.towards.normalized();
-  View view = whole;
-  double nearest = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& vertex : mesh.vertices) {
-    const double depth = (vertex - whole.focus).dot(direction);
-    if (depth <= nearest) continue;
-    nearest = depth;
-    view.focus = vertex;
+std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out) {
+  const Arrangement runs = arrange(results);
+  std::vector<PictureGroup> groups;
+  std::size_t meshes = 0;
+  for (const std::string& dataset : runs.datasets) {
+    groups.push_back(dataset_group(runs, dataset, most_meshes - meshes, left_out));
+    meshes += groups.back().runs.size();
   }
-  view.half_height = std::min(whole.half_height, 12.0 * edge_length);
-  return view;
+  const std::size_t triangles =
+      std::clamp(most_triangles_of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
+  for (const SizingGrid& grid : sizing_grids(results)) {
+    if (grid.epsilons.size() * grid.deltas.size() <= most_of_a_dataset) groups.push_back(grid_group(grid));
+  }
+  std::erase_if(groups, [](const PictureGroup& group) { return group.runs.empty(); });
+  for (PictureGroup& group : groups) {
+    group.turnable_triangles = triangles;
+    group.key = fmt::format("{} {} {}", render_revision, group.grid ? "grid" : "", triangles);
+    for (const RunRecord* run : group.runs) group.key += " " + run->mesh_checksum;
+  }
+  return groups;
 }
 
-View view_of_triangle(const TriangleMesh& mesh, std::size_t triangle) {
-  const Triangle& t = mesh.triangles[triangle];
-  View view;
-  double longest = 0.0;
-  view.focus = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    longest = std::max(longest, (mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).norm());
-  }
-  // A triangle without area has no normal of its own: its neighbours' is as good.
-  view.towards = Eigen::Vector3d::Zero();
-  for (const Triangle& other : mesh.triangles) {
-    const bool touches =
-        std::any_of(other.begin(), other.end(), [&t](std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; });
-    if (touches) view.towards += scaled_normal(mesh, other);
-  }
-  if (view.towards.norm() == 0.0) view.towards = from_a_corner;
-  view.half_height = 2.0 * std::max(longest, 1e-9);
-  view.eye_distance = 0.5 * view.half_height;  // what folds over it stays behind the eye
-  return view;
+std::vector<std::string> shots_of(const PictureGroup& group, const RunRecord& run, const fs::path& folder) {
+  if (group.grid) return {shots::whole};
+  std::vector<std::string> all = {shots::whole, shots::closer, shots::worst};
+  if (kept(folder, run, "medial-axis.vtp")) all.emplace_back(shots::medial_axis);
+  if (kept(folder, run, "sizing.vtp")) all.insert(all.end(), {shots::initial_sizing, shots::limited_sizing});
+  if (kept(folder, run, "particles.vtp")) all.insert(all.end(), {shots::particles, shots::particles_closer});
+  return all;
 }
 
-Pictures draw_pictures(const Arrangement& runs, const fs::path& folder) {
+std::vector<std::string> files_of(const PictureGroup& group, const RunRecord& run, const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const std::string& shot : shots_of(group, run, folder)) {
+    files.push_back(group.file(run, shot));
+    files.push_back(group.file(run, shot, "jpg"));
+  }
+  if (group.grid) return files;
+  files.push_back(group.file(run, PictureGroup::turn, "mesh"));
+  if (run.measurement->triangles > group.turnable_triangles)
+    files.push_back(group.file(run, PictureGroup::turn_worst, "mesh"));
+  if (kept(folder, run, "sizing.vtp")) files.push_back(group.file(run, PictureGroup::over_h, "txt"));
+  return files;
+}
+
+Pictures make_pictures(const Results& results, const fs::path& folder) {
   Pictures pictures;
   fs::create_directories(folder / "pictures");
-  std::unique_ptr<Renderer> renderer;
-  for (const std::string& dataset : runs.datasets) {
-    const Group group = group_of(runs, dataset);
-    if (group.runs.size() == most_meshes) {
-      pictures.missing.push_back(fmt::format("Of {} only the first {} methods have pictures.", dataset, most_meshes));
-    }
-    try {
-      if (!group.runs.empty() && !all_there(group, folder)) {
-        if (!renderer) renderer = std::make_unique<Renderer>(width, height);
-        draw_group(group, folder, *renderer);
-      }
-    } catch (const Error& error) {
-      const std::string sentence = fmt::format("Of {} there are not all pictures: {}.", dataset, error.what());
-      pictures.missing.push_back(sentence);
-    }
-    list_group(group, folder, pictures);
+  const std::vector<PictureGroup> groups = picture_groups(results, pictures.missing);
+  const auto whole = [&folder](const PictureGroup& group) { return all_there(group, folder); };
+  if (!std::all_of(groups.begin(), groups.end(), whole)) {
+    for (std::string& sentence : have_drawn(folder)) pictures.missing.push_back(std::move(sentence));
   }
-  remove_others(folder, pictures);
+  remove_others(groups, folder);
+  for (const PictureGroup& group : groups) {
+    if (group.grid) pictures.across = group.across;
+    list_pictures(group, folder, pictures);
+    list_others(group, folder, pictures);
+  }
   return pictures;
 }
 

@@ -1,68 +1,40 @@
 #include "reports/pictures.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 
 #include "datasets/error.h"
 #include "datasets/test_folder.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
 #include "metrics/sample_meshes.h"
+#include "reports/cameras.h"
+#include "reports/drawing.h"
 #include "reports/sample_records.h"
+#include "reports/test_pixels.h"
 
 namespace isobench {
 namespace {
 
-struct Colour {
-  int red = 0;
-  int green = 0;
-  int blue = 0;
-};
-
-// A picture's pixels, counted from the lower left corner.
-class Pixels {
- public:
-  explicit Pixels(const std::string& png) : bytes_(png) {
-    reader_->SetMemoryBuffer(bytes_.data());
-    reader_->SetMemoryBufferLength(static_cast<vtkIdType>(bytes_.size()));
-    reader_->Update();
-    reader_->GetOutput()->GetDimensions(size_);
-  }
-  int width() const { return size_[0]; }
-  int height() const { return size_[1]; }
-  Colour at(int x, int y) const {
-    const auto* pixel = static_cast<unsigned char*>(reader_->GetOutput()->GetScalarPointer(x, y, 0));
-    return {pixel[0], pixel[1], pixel[2]};
-  }
-  // How many pixels left of the bar pass.
-  template <class Test>
-  int count(Test&& passes) const {
-    int count = 0;
-    for (int y = 0; y < height(); ++y) {
-      for (int x = 0; x < 8 * width() / 10; ++x) count += passes(at(x, y)) ? 1 : 0;
-    }
-    return count;
-  }
-
- private:
-  std::string bytes_;
-  vtkNew<vtkPNGReader> reader_;
-  int size_[3] = {0, 0, 0};
-};
-
-bool is_white(const Colour& c) { return c.red > 250 && c.green > 250 && c.blue > 250; }
-bool is_red(const Colour& c) { return c.red > 180 && c.green < 90 && c.blue < 90; }
-bool is_dark(const Colour& c) { return c.red < 60 && c.green < 60 && c.blue < 60; }
-
 // A square of two triangles in the plane z = 0, seen from above.
 struct Square {
   TriangleMesh mesh = sample_meshes::mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
-  Scene scene{&mesh, {1.0, 0.0}, "value", false, {}};
+  Scene scene = scene_of({1.0, 0.0});
   View view{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 2.0, 5.0};
+
+  Scene scene_of(std::vector<double> values) const {
+    Scene made;
+    made.mesh = &mesh;
+    made.values = std::move(values);
+    made.legend = "value";
+    made.edges = false;
+    return made;
+  }
 };
 
 TEST(SlowPictures, ShowAMeshInItsPlaceSizeAndColours) {
@@ -99,10 +71,43 @@ TEST(SlowPictures, ShowEdgesAndAnOutline) {
 TEST(SlowPictures, ShowWhatACloseEyeLooksAtBeforeADeepScene) {
   Square square;
   square.mesh = sample_meshes::together(square.mesh, sample_meshes::box({-1e3, -1e3, -3e3}, {1e3, 1e3, -1e3}));
-  square.scene = {&square.mesh, std::vector<double>(square.mesh.triangles.size(), 1.0), "value", false, 0};
+  square.scene = square.scene_of(std::vector<double>(square.mesh.triangles.size(), 1.0));
+  square.scene.outlined = 0;
   square.view.eye_distance = 1.0;
   const Pixels pixels(Renderer(320, 240).draw(square.scene, square.view).png);
   EXPECT_GT(pixels.count(is_red), 300);
+}
+
+TEST(SlowPictures, ShowEveryPoint) {
+  Scene scene;
+  scene.point_size = 7.0;
+  for (int n = 0; n < 5; ++n) scene.points.emplace_back(0.5 * (n - 2), 0.0, 0.0);
+  const Pixels pixels(
+      Renderer(320, 240).draw(scene, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 2.0, 5.0}).png);
+  // Half a millimetre is 30 pixels: five balls, each with white between it and the next.
+  int marks = 0;
+  bool inside = false;
+  for (int x = 0; x < 265; ++x) {
+    const bool filled = !is_white(pixels.at(x, 120));
+    marks += filled && !inside ? 1 : 0;
+    inside = filled;
+  }
+  EXPECT_EQ(marks, 5);
+  EXPECT_NEAR(pixels.count([](const Colour& c) { return !is_white(c); }), 5 * 38, 80);  // π/4 · 7²
+  EXPECT_TRUE(is_white(pixels.at(320 * 87 / 100, 120)));                                // no legend, no bar
+}
+
+TEST(SlowPictures, ShowValuesOfCornersInTheirRange) {
+  Square square;
+  square.scene.values.clear();
+  square.scene.vertex_values = {20.0, 30.0, 30.0, 20.0};  // grows to the right
+  square.scene.low = 20.0;
+  square.scene.high = 30.0;
+  const Pixels pixels(Renderer(320, 240).draw(square.scene, square.view).png);
+  const Colour left = pixels.at(133 - 55, 120);
+  const Colour right = pixels.at(133 + 55, 120);
+  EXPECT_GT(left.blue, left.green + 40);
+  EXPECT_GT(right.red, right.blue + 80);
 }
 
 TEST(SlowPictures, AreTheSameBytesEveryTime) {
@@ -134,25 +139,38 @@ TEST(Pictures, LookStraightOntoATriangleWithoutArea) {
   EXPECT_GT(view.half_height, 2.0);
 }
 
+void store(RunRecord& record, const TriangleMesh& mesh, const std::filesystem::path& folder) {
+  record.mesh_checksum = checksum(mesh);
+  std::filesystem::create_directories(folder / record.request.run);
+  write_mesh(mesh, folder / record.request.run / "mesh.vtp");
+}
+
+// For the program that draws: it reads the folder itself.
+void write_plan(const Results& results, const std::filesystem::path& folder) {
+  std::vector<RunRequest> plan;
+  for (const RunRecord& record : results.records) {
+    plan.push_back(record.request);
+    write_record(record, folder / record.request.run / "run.json");
+  }
+  write_text(folder / "plan.json", plan_to_json(plan));
+}
+
 // A folder with two runs of one dataset and their meshes.
 Results stored(const std::filesystem::path& folder) {
   Results results;
   results.records = {sample_record("box", "ours"), sample_record("box", "theirs")};
   for (std::size_t n = 0; n < 2; ++n) {
-    TriangleMesh mesh = n == 0 ? sample_meshes::torus(12) : sample_meshes::box({-3, -3, -1}, {3, 3, 1});
-    RunRecord& record = results.records[n];
-    record.mesh_checksum = checksum(mesh);
-    std::filesystem::create_directories(folder / record.request.run);
-    write_mesh(mesh, folder / record.request.run / "mesh.vtp");
+    store(results.records[n], n == 0 ? sample_meshes::torus(12) : sample_meshes::box({-3, -3, -1}, {3, 3, 1}), folder);
   }
+  write_plan(results, folder);
   return results;
 }
 
 TEST(SlowPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   const TestFolder folder;
   Results results = stored(folder.path());
-  const Pictures first = draw_pictures(arrange(results), folder.path());
-  EXPECT_TRUE(first.missing.empty());
+  const Pictures first = make_pictures(results, folder.path());
+  EXPECT_EQ(first.missing, std::vector<std::string>{});
   ASSERT_EQ(first.pictures.size(), 6U);
   for (const Picture& picture : first.pictures) {
     const Pixels pixels(read_text(folder.path() / picture.file));
@@ -161,16 +179,18 @@ TEST(SlowPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   }
   EXPECT_EQ(first.pictures[0].title, "ours");
   EXPECT_EQ(first.pictures[0].group, first.pictures[1].group);
+  EXPECT_EQ(first.turnable.size(), 2U);
   const auto written = std::filesystem::last_write_time(folder.path() / first.pictures[0].file);
-  draw_pictures(arrange(results), folder.path());
+  make_pictures(results, folder.path());
   EXPECT_EQ(std::filesystem::last_write_time(folder.path() / first.pictures[0].file), written);
   // What was lost is made again.
   std::filesystem::remove(folder.path() / first.pictures[0].preview);
-  EXPECT_EQ(draw_pictures(arrange(results), folder.path()).pictures.size(), 6U);
+  EXPECT_EQ(make_pictures(results, folder.path()).pictures.size(), 6U);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / first.pictures[0].preview));
   // Another mesh: other pictures, and none left over.
   results.records[1].mesh_checksum = "another";
-  const Pictures second = draw_pictures(arrange(results), folder.path());
+  write_plan(results, folder.path());
+  const Pictures second = make_pictures(results, folder.path());
   EXPECT_NE(second.pictures[0].file, first.pictures[0].file);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / first.pictures[0].file));
 }
@@ -179,10 +199,76 @@ TEST(SlowPictures, OfAMeshThatIsGoneAreMissedAloud) {
   const TestFolder folder;
   const Results results = stored(folder.path());
   std::filesystem::remove(folder.path() / results.records[1].request.run / "mesh.vtp");
-  const Pictures pictures = draw_pictures(arrange(results), folder.path());
+  const Pictures pictures = make_pictures(results, folder.path());
   EXPECT_TRUE(pictures.pictures.empty());
   ASSERT_EQ(pictures.missing.size(), 1U);
   EXPECT_NE(pictures.missing[0].find("mesh.vtp"), std::string::npos);
+}
+
+// What a run leaves behind that keeps its artefacts.
+void keep_artefacts(RunRecord& record, const TriangleMesh& mesh, const std::filesystem::path& folder) {
+  record.request.artefacts = true;
+  Artefact axis;
+  for (int n = 0; n < 200; ++n) {
+    const double angle = 2.0 * M_PI * n / 200;
+    axis.points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    axis.points.emplace_back(9.0, 9.0, 0.1 * n);  // outside the torus: not to be seen
+  }
+  axis.data["radius"].assign(axis.points.size(), 1.0);
+  Artefact sizing{mesh.vertices, {}};
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    sizing.data["h0"].push_back(1.0 + vertex.x());
+    sizing.data["h"].push_back(2.0);
+  }
+  write_artefacts({{"medial-axis", axis}, {"sizing", sizing}, {"particles", {mesh.vertices, {}}}}, Lattice{},
+                  folder / record.request.run);
+}
+
+TEST(SlowPictures, OfWhatARunKeptShowEachStage) {
+  const TestFolder folder;
+  Results results = stored(folder.path());
+  keep_artefacts(results.records[0], sample_meshes::torus(12), folder.path());
+  write_plan(results, folder.path());
+  const Pictures pictures = make_pictures(results, folder.path());
+  EXPECT_EQ(pictures.missing, std::vector<std::string>{});
+  ASSERT_EQ(pictures.pictures.size(), 6U + 5U);
+  std::map<std::string, std::string> drawn;
+  for (const Picture& picture : pictures.pictures) {
+    const std::string bytes = read_text(folder.path() / picture.file);
+    EXPECT_GT(Pixels(bytes).count([](const Colour& c) { return !is_white(c); }), 1000) << picture.shot;
+    if (picture.title == "ours") drawn[picture.shot] = bytes;
+  }
+  EXPECT_NE(drawn[shots::initial_sizing], drawn[shots::limited_sizing]);
+  const auto blue = [](const Colour& c) { return c.blue > c.red + 60; };
+  EXPECT_GT(Pixels(drawn[shots::particles]).count(blue), 1000);
+  // Edges over h: h is 2 everywhere, and no edge of that torus is longer than 1.6.
+  ASSERT_EQ(pictures.edges_over_h.size(), 1U);
+  const std::vector<std::uint32_t>& counts = pictures.edges_over_h[0].counts;
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0U), 3U * 12 * 24);
+  EXPECT_EQ(std::accumulate(counts.begin() + 80, counts.end(), 0U), 0U);
+}
+
+TEST(SlowPictures, OfAGridStandInItsRows) {
+  const TestFolder folder;
+  Results results;
+  for (const double epsilon : {1.0, 0.5}) {
+    for (const double delta : {0.6, 0.3, 0.1}) {
+      RunRecord record = sample_record("box", "ours");
+      record.request.run += fmt::format("-{}-{}", epsilon, delta);
+      record.request.sizing.epsilon = epsilon;
+      record.request.sizing.delta = delta;
+      record.request.aside = true;
+      const TriangleMesh mesh = sample_meshes::torus(static_cast<std::uint32_t>(6.0 / epsilon));
+      store(record, mesh, folder.path());
+      results.records.push_back(record);
+    }
+  }
+  write_plan(results, folder.path());
+  const Pictures pictures = make_pictures(results, folder.path());
+  ASSERT_EQ(pictures.pictures.size(), 6U);  // and none beside them: they are aside
+  EXPECT_EQ(pictures.across, 3U);
+  EXPECT_EQ(pictures.pictures[3].title, "ε 0.5, δ 0.6");
+  EXPECT_TRUE(pictures.turnable.empty());
 }
 
 }  // namespace

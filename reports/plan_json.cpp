@@ -47,6 +47,7 @@ Json request_to_json(const RunRequest& r) {
           {"repeat", r.repeat},
           {"alone", r.alone},
           {"artefacts", r.artefacts},
+          {"aside", r.aside},
           {"reference_k", r.reference_k},
           {"metrics_revision", r.metrics_revision},
           {"limit_minutes", number(r.limit_minutes)},
@@ -91,6 +92,7 @@ RunRequest request_from_json(const Json& json) {
     r.repeat = integer<int>(json.at("repeat"));  // plans of before there were repeats have none
   r.alone = json.value("alone", false);
   r.artefacts = json.value("artefacts", false);
+  r.aside = json.value("aside", false);
   r.reference_k = integer<int>(json.at("reference_k"));
   r.metrics_revision = integer<int>(json.at("metrics_revision"));
   r.limit_minutes = optional_number(json.at("limit_minutes"));

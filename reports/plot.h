@@ -27,6 +27,7 @@ struct Series {
 
 struct Plot {
   std::string name;     ///< of its file, without the ending
+  std::string kind;     ///< of plots that are looked at side by side, those of several datasets
   std::string title;    ///< what is shown, of what
   std::string caption;  ///< one or two sentences for beside it
   std::string x_label;  ///< with the unit

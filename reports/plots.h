@@ -4,15 +4,17 @@
 #include <vector>
 
 #include "reports/arrangement.h"
+#include "reports/picture.h"
 #include "reports/plot.h"
 #include "reports/results.h"
 
 namespace isobench {
 
-/// Everything that there is something to draw of, in the order in which a reader wants it. A label has one colour in
-/// all of them. Histograms sum the runs of several seeds or repeats; as in the tables only meshes that are closed
-/// manifolds count while there are any (gated()). Curves are of one run.
-std::vector<Plot> all_plots(const Results& results);
+/// Everything that there is something to draw of, in the order in which a reader wants it; `over_h` is what the runs
+/// that kept their sizing field have. A label has one colour in all of them. Histograms sum the runs of several seeds
+/// or repeats; as in the tables only meshes that are closed manifolds count while there are any (gated()). Curves are
+/// of one run.
+std::vector<Plot> all_plots(const Results& results, const std::vector<EdgesOverH>& over_h = {});
 
 // The single kinds, a plot a dataset unless it says otherwise; without those that would be empty.
 std::vector<Plot> radius_ratio_plots(const Arrangement& runs);  ///< the paper's Figure 5
@@ -27,5 +29,8 @@ std::vector<Plot> stage_plots(const Arrangement& runs);
 std::vector<Plot> size_plots(const Arrangement& runs);
 /// Over δ, a curve each ε; of the grids that sizing_grids() finds.
 std::vector<Plot> sizing_plots(const Results& results);
+/// The paper's Figure 3: how much nearer two particles with one between them are on a circle than on a line, and edge
+/// lengths over the sizing field that they were asked for.
+std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h);
 
 }  // namespace isobench

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <iterator>
 #include <set>
 
 #include "reports/plots.h"
@@ -220,34 +218,6 @@ std::vector<Plot> sizing_plots(const Results& results) {
                               [](const RunRecord& run) { return run.measurement->distance.mean; }));
   }
   std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
-  return plots;
-}
-
-namespace {
-
-// Names become those of files: letters, digits, dots and dashes, and each only once.
-void make_file_names(std::vector<Plot>& plots) {
-  std::set<std::string> taken;
-  for (Plot& plot : plots) {
-    const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '-'; };
-    std::replace_if(
-        plot.name.begin(), plot.name.end(), [plain](char c) { return !plain(c); }, '-');
-    const std::string name = plot.name;
-    for (int n = 2; !taken.insert(plot.name).second; ++n) plot.name = fmt::format("{}-{}", name, n);
-  }
-}
-
-}  // namespace
-
-std::vector<Plot> all_plots(const Results& results) {
-  const Arrangement runs = arrange(results);
-  std::vector<Plot> plots;
-  for (std::vector<Plot> kind :
-       {radius_ratio_plots(runs), edge_length_plots(runs), angle_plots(runs), valence_plots(runs), size_plots(runs),
-        stage_plots(runs), sizing_plots(results), trace_plots(runs)}) {
-    std::move(kind.begin(), kind.end(), std::back_inserter(plots));
-  }
-  make_file_names(plots);
   return plots;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "reports/plots.h"
@@ -48,6 +49,7 @@ std::vector<Plot> histogram_plots(const Arrangement& runs, const Plot& shared, H
   std::vector<Plot> plots;
   for (const std::string& dataset : runs.datasets) {
     Plot plot = shared;
+    plot.kind = shared.name;
     plot.name += "-" + dataset;
     plot.title += ", " + dataset;
     plot.marks = Marks::steps;
@@ -87,6 +89,46 @@ std::vector<Plot> edge_length_plots(const Arrangement& runs) {
   plot.y_label = "edges, % a bin of 0.01";
   plot.x_high = 2.0;
   return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.edges.histogram; });
+}
+
+std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
+  std::vector<Plot> plots;
+  for (const EdgesOverH& edges : over_h) {
+    Plot plot;
+    plot.kind = "edge-over-h";
+    plot.name = fmt::format("edge-over-h-{}-{}", edges.dataset, edges.method);
+    plot.title = fmt::format("Edge lengths over h, {}, {}", edges.dataset, edges.method);
+    plot.caption =
+        "h is the sizing field that the particles were asked for: the mean of both ends. The last bin has all "
+        "that is longer.";
+    plot.x_label = "edge length / h";
+    plot.y_label = "edges, % a bin of 0.01";
+    plot.marks = Marks::steps;
+    plot.x_high = 2.0;
+    Histogram histogram(0.0, 2.0, edges.counts.size());
+    std::copy(edges.counts.begin(), edges.counts.end(), histogram.counts.begin());
+    Series series = series_of(histogram, edges.method, 0);
+    if (!series.x.empty()) plot.series.push_back(std::move(series));
+    if (!plot.empty()) plots.push_back(std::move(plot));
+  }
+  if (plots.empty()) return plots;
+  Plot circle;
+  circle.kind = circle.name = "contraction";
+  circle.title = "Particles on a circle, equally spaced";
+  circle.caption =
+      "How far two particles with one between them are apart, over twice the distance of neighbours, from "
+      "equation 6: neighbours are at most ε radii apart.";
+  circle.x_label = "distance of neighbours, radii of the circle";
+  circle.y_label = "distance of every second / twice that";
+  circle.series.push_back({"on a circle", 0, {}, {}});
+  circle.series.push_back({"on a line", 6, {0.0, 1.0}, {1.0, 1.0}});
+  for (int n = 0; n <= 100; ++n) {
+    const double d = 0.01 * n;
+    circle.series[0].x.push_back(d);
+    circle.series[0].y.push_back(std::sqrt(1.0 - 0.25 * d * d));
+  }
+  plots.insert(plots.begin(), std::move(circle));
+  return plots;
 }
 
 std::vector<Plot> angle_plots(const Arrangement& runs) {

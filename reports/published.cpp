@@ -1,5 +1,7 @@
 #include "reports/published.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -78,7 +80,32 @@ void add_figures(Published& published, const TomlValue& table) {
   }
 }
 
+PublishedPlate plate_from(const TomlValue& table) {
+  table.allow_keys({"number", "shows", "dataset", "caption"}, "[[plate]]");
+  PublishedPlate plate;
+  const TomlValue number = table.require("number");
+  if (number.as_integer() < 1 || number.as_integer() > 1000) {
+    throw UsageError(number.place(), fmt::format("number is {}; a figure's is 1..1000", number.as_integer()));
+  }
+  plate.number = static_cast<int>(number.as_integer());
+  const TomlValue shows = table.require("shows");
+  plate.shows = shows.as_string();
+  if (std::find(plate_kinds().begin(), plate_kinds().end(), plate.shows) == plate_kinds().end()) {
+    throw UsageError(shows.place(),
+                     "nothing is known that shows '" + plate.shows + "'" + suggestion(plate.shows, plate_kinds()));
+  }
+  plate.dataset = text_or(table, "dataset");
+  plate.caption = table.require("caption").as_string();
+  return plate;
+}
+
 }  // namespace
+
+const std::vector<std::string>& plate_kinds() {
+  static const std::vector<std::string> kinds = {"pipeline",      "sizing grid", "contraction", "edges over h0",
+                                                 "radius ratios", "mesh",        "particles",   "close-ups"};
+  return kinds;
+}
 
 const PublishedMethod* Published::method_beside(const std::string& method) const {
   for (const PublishedMethod& candidate : methods) {
@@ -104,7 +131,7 @@ const PublishedFigure* Published::find(const std::string& quantity, const std::s
 
 Published read_published(const std::filesystem::path& path) {
   const TomlValue document = TomlValue::parse_file(path);
-  document.allow_keys({"source", "short", "note", "method", "quantity", "figures", "claim"},
+  document.allow_keys({"source", "short", "note", "method", "quantity", "figures", "claim", "plate"},
                       "a file of published figures");
   Published published;
   published.source = document.require("source").as_string();
@@ -114,6 +141,7 @@ Published read_published(const std::filesystem::path& path) {
   for (const TomlValue& table : tables(document, "quantity")) published.quantities.push_back(quantity_from(table));
   for (const TomlValue& table : tables(document, "figures")) add_figures(published, table);
   for (const TomlValue& table : tables(document, "claim")) published.claims.push_back(claim_from(table, published));
+  for (const TomlValue& table : tables(document, "plate")) published.plates.push_back(plate_from(table));
   return published;
 }
 

@@ -5,6 +5,7 @@
 //   [[quantity]]  name = "radius_ratio_min", unit = "", meaning = "…"
 //   [[figures]]   table = "Table 2", method = "ps", dataset = "brain", radius_ratio_min = "0.18", …
 //   [[claim]]     see reports/claims.h
+//   [[plate]]     number = 6, shows = "mesh", dataset = "pelvis", caption = "…"
 //
 // Figures are strings exactly as printed: "0.40" is not "0.4", and "< 0.004" is a bound.
 #pragma once
@@ -42,6 +43,16 @@ struct PublishedFigure {
   bool bound = false;           ///< printed with "<"
 };
 
+/// A figure, and what of ours is shown under its number.
+struct PublishedPlate {
+  int number = 0;
+  std::string shows;    ///< one of plate_kinds()
+  std::string dataset;  ///< whose, where it is of one
+  std::string caption;  ///< in our words
+};
+/// "pipeline", "sizing grid", "contraction", "edges over h0", "radius ratios", "mesh", "particles", "close-ups".
+const std::vector<std::string>& plate_kinds();
+
 struct Published {
   std::string source;
   std::string short_source;
@@ -50,6 +61,7 @@ struct Published {
   std::vector<PublishedQuantity> quantities;
   std::vector<PublishedFigure> figures;
   std::vector<PublishedClaim> claims;
+  std::vector<PublishedPlate> plates;
 
   /// The figure to show beside a method of ours; nullptr where none was published.
   const PublishedFigure* find(const std::string& quantity, const std::string& dataset, const std::string& method) const;

@@ -64,6 +64,24 @@ TEST(Published, MistakesHaveTheirPlace) {
   EXPECT_NE(mistake("\"0.40\"", "0.40").find("published.toml:15:"), std::string::npos);  // loses a digit: a string
 }
 
+TEST(Published, FiguresHaveNumbersAndShowWhatIsKnown) {
+  const Published paper = read_published(ISOBENCH_SOURCE "/experiments/published/meyer-2007.toml");
+  ASSERT_EQ(paper.plates.size(), 9U);
+  for (std::size_t n = 0; n < 9; ++n) EXPECT_EQ(paper.plates[n].number, static_cast<int>(n + 1));
+  const TestFolder folder;
+  const auto mistake = [&folder](const std::string& plate) -> std::string {
+    try {
+      read_published(folder.write("published.toml", "source = \"x\"\n[[plate]]\n" + plate));
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(mistake("number = 6\nshows = \"mesh\"\ncaption = \"x\"\n"), "");
+  EXPECT_NE(mistake("number = 6\nshows = \"mash\"\ncaption = \"x\"\n").find("'mesh'"), std::string::npos);
+  EXPECT_NE(mistake("number = 0\nshows = \"mesh\"\ncaption = \"x\"\n").find("published.toml:3:"), std::string::npos);
+}
+
 TEST(Published, ThePapersFiguresAreAllThere) {
   const Published paper = read_published(ISOBENCH_SOURCE "/experiments/published/meyer-2007.toml");
   const auto value = [&paper](const char* quantity, const char* dataset, const char* method) {

@@ -17,8 +17,8 @@
 
 namespace isobench {
 
-/// What one run was asked: a cell of an experiment's plan. All but label, limits, `alone` and `artefacts`
-/// determines its name.
+/// What one run was asked: a cell of an experiment's plan. All but label, limits, `alone`, `artefacts` and
+/// `aside` determines its name.
 struct RunRequest {
   std::string run;  ///< name of its folder, e.g. "skull-particles-e0.5-d0.3-s1-1f2a9c3e"
   std::string dataset;
@@ -33,6 +33,7 @@ struct RunRequest {
   int repeat = 1;                         ///< which of several runs of one cell, for their seconds
   bool alone = false;                     ///< its seconds count: nothing else of its experiment runs beside it
   bool artefacts = false;                 ///< leave the medial axis, the sizing and the particles behind, too
+  bool aside = false;                     ///< for a figure of its own: not in the tables that compare
   int reference_k = default_reference_k;  ///< refinement at which the reference topology is counted
   int metrics_revision = 1;
   std::optional<double> limit_minutes;

@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -53,21 +54,31 @@ vtkStandardNewMacro(Window)
               "; install Mesa's (apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri), then make the report again");
 }
 
+vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Eigen::Vector3d>& positions, const Eigen::Vector3d& shift) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Eigen::Vector3d place = positions[n] + shift;
+    points->SetPoint(static_cast<vtkIdType>(n), place.data());
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkDoubleArray> to_vtk(const std::vector<double>& values) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  for (const double value : values) array->InsertNextValue(value);
+  return array;
+}
+
 vtkSmartPointer<vtkPolyData> to_vtk(const Scene& scene) {
   const TriangleMesh& mesh = *scene.mesh;
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    points->SetPoint(static_cast<vtkIdType>(v), mesh.vertices[v].data());
-  }
   vtkNew<vtkCellArray> cells;
   for (const Triangle& t : mesh.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
-  vtkNew<vtkDoubleArray> values;
-  for (const double value : scene.values) values->InsertNextValue(value);
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
+  data->SetPoints(to_vtk(mesh.vertices, Eigen::Vector3d::Zero()));
   data->SetPolys(cells);
-  data->GetCellData()->SetScalars(values);
+  data->GetCellData()->SetScalars(to_vtk(scene.values));
+  data->GetPointData()->SetScalars(to_vtk(scene.vertex_values));
   return data;
 }
 
@@ -75,13 +86,14 @@ vtkSmartPointer<vtkPolyData> to_vtk(const Scene& scene) {
 constexpr double bar_from = 0.83;
 
 // Viridis: even steps to the eye, and for colour-blind readers too; what is bad is dark.
-vtkSmartPointer<vtkColorTransferFunction> colours() {
+vtkSmartPointer<vtkColorTransferFunction> colours(const Scene& scene) {
   auto scale = vtkSmartPointer<vtkColorTransferFunction>::New();
-  scale->AddRGBPoint(0.0, 0.267, 0.005, 0.329);
-  scale->AddRGBPoint(0.25, 0.229, 0.322, 0.546);
-  scale->AddRGBPoint(0.5, 0.128, 0.567, 0.551);
-  scale->AddRGBPoint(0.75, 0.369, 0.789, 0.383);
-  scale->AddRGBPoint(1.0, 0.993, 0.906, 0.144);
+  const auto at = [&scene](double share) { return scene.low + share * (scene.high - scene.low); };
+  scale->AddRGBPoint(at(0.0), 0.267, 0.005, 0.329);
+  scale->AddRGBPoint(at(0.25), 0.229, 0.322, 0.546);
+  scale->AddRGBPoint(at(0.5), 0.128, 0.567, 0.551);
+  scale->AddRGBPoint(at(0.75), 0.369, 0.789, 0.383);
+  scale->AddRGBPoint(at(1.0), 0.993, 0.906, 0.144);
   return scale;
 }
 
@@ -89,13 +101,39 @@ vtkSmartPointer<vtkActor> actor_of(const Scene& scene, vtkScalarsToColors* scale
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(to_vtk(scene));
   mapper->SetLookupTable(scale);
-  mapper->SetScalarModeToUseCellData();
-  mapper->SetScalarRange(0.0, 1.0);
+  if (scene.vertex_values.empty())
+    mapper->SetScalarModeToUseCellData();
+  else
+    mapper->SetScalarModeToUsePointData();
+  mapper->SetScalarVisibility(scene.values.empty() && scene.vertex_values.empty() ? 0 : 1);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.85, 0.85, 0.82);
   actor->GetProperty()->SetEdgeVisibility(scene.edges ? 1 : 0);
   actor->GetProperty()->SetEdgeColor(0.1, 0.1, 0.1);
   actor->GetProperty()->SetInterpolationToFlat();
+  actor->GetProperty()->SetAmbient(0.3);
+  actor->GetProperty()->SetDiffuse(0.7);
+  return actor;
+}
+
+// Little balls, lifted a little towards the eye, so that what they lie on does not swallow them.
+vtkSmartPointer<vtkActor> points_of(const Scene& scene, const View& view, vtkScalarsToColors* scale) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(to_vtk(scene.points, 0.01 * view.half_height * view.towards.normalized()));
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n) cells->InsertNextCell({n});
+  data->SetVerts(cells);
+  data->GetPointData()->SetScalars(to_vtk(scene.point_values));
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetLookupTable(scale);
+  mapper->SetScalarVisibility(scene.point_values.empty() ? 0 : 1);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.0, 0.27, 0.55);
+  actor->GetProperty()->SetPointSize(static_cast<float>(scene.point_size));
+  actor->GetProperty()->SetRenderPointsAsSpheres(true);
   actor->GetProperty()->SetAmbient(0.3);
   actor->GetProperty()->SetDiffuse(0.7);
   return actor;
@@ -221,14 +259,15 @@ Drawing Renderer::draw(const Scene& scene, const View& view) {
   const VtkMessages messages;
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
-  const auto scale = colours();
-  if (!scene.mesh->triangles.empty()) renderer->AddActor(actor_of(scene, scale));
+  const auto scale = colours(scene);
+  if (scene.mesh != nullptr && !scene.mesh->triangles.empty()) renderer->AddActor(actor_of(scene, scale));
+  if (!scene.points.empty()) renderer->AddActor(points_of(scene, view, scale));
   if (scene.outlined) renderer->AddActor(outline_of(scene, view));
   renderer->SetViewport(0.0, 0.0, bar_from, 1.0);
   vtkNew<vtkRenderer> strip;
   strip->SetBackground(1.0, 1.0, 1.0);
   strip->SetViewport(bar_from, 0.0, 1.0, 1.0);
-  strip->AddActor2D(bar_of(scene, scale));
+  if (!scene.legend.empty()) strip->AddActor2D(bar_of(scene, scale));
   aim(renderer->GetActiveCamera(), view);
 
   vtkNew<Window> window;

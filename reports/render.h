@@ -20,14 +20,20 @@ struct View {
   double eye_distance = 1.0;  ///< what is nearer to the eye's side than this is not seen
 };
 
-/// What is drawn of a mesh: its triangles in the colours of `values` (one a triangle, from 0 to 1, with a bar), with
-/// edges where asked for, one triangle outlined.
+/// What is drawn: triangles in the colours of their values or of their corners', grey where they have none, with edges
+/// where asked for, one triangle outlined; and points, dark where they have no values.
 struct Scene {
-  const TriangleMesh* mesh = nullptr;
-  std::vector<double> values;
-  std::string legend;  ///< of the colours
+  const TriangleMesh* mesh = nullptr;  ///< none: points alone
+  std::vector<double> values;          ///< one a triangle
+  std::string legend;                  ///< of the colours, for their bar; "": no bar
   bool edges = true;
   std::optional<std::size_t> outlined;
+  std::vector<double> vertex_values;  ///< one a vertex, in the place of the triangles' own
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> point_values;
+  double point_size = 4.0;  ///< pixels
+  double low = 0.0;         ///< what the darkest colour means, and
+  double high = 1.0;        ///< the brightest
 };
 
 /// One picture as two files: PNG without a loss, and JPEG, which takes a fifth of the room.
@@ -37,7 +43,7 @@ struct Drawing {
 };
 
 /// Raised when the same scene and view come out as another picture.
-inline constexpr int render_revision = 1;
+inline constexpr int render_revision = 2;
 
 /// Draws into memory, with the processor alone: no display, no graphics card. One at a time in a process.
 class Renderer {
@@ -48,7 +54,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// A view without a mesh in it is white with the bar.
+  /// A view with nothing in it is white with the bar.
   Drawing draw(const Scene& scene, const View& view);
 
  private:

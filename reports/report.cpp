@@ -1,5 +1,7 @@
 #include "reports/report.h"
 
+#include <fmt/format.h>
+
 #include <iterator>
 
 #include "reports/gnuplot.h"
@@ -15,15 +17,24 @@ namespace isobench {
 
 namespace {
 
+// Beyond these nobody looks, and each is a tenth of a second.
+constexpr std::size_t most_plots = 120;
+
 // Plots and pictures, made or found made.
 Exhibits exhibits_of(const Results& results, const std::filesystem::path& folder) {
   Exhibits exhibits;
-  exhibits.plots = all_plots(results);
+  Pictures pictures = make_pictures(results, folder);
+  exhibits.pictures = std::move(pictures.pictures);
+  exhibits.turnable = std::move(pictures.turnable);
+  exhibits.across = pictures.across;
+  exhibits.plots = all_plots(results, pictures.edges_over_h);
+  if (exhibits.plots.size() > most_plots) {
+    exhibits.missing.push_back(fmt::format("Of {} plots the first {} are drawn.", exhibits.plots.size(), most_plots));
+    exhibits.plots.resize(most_plots);
+  }
   Drawn drawn = draw(exhibits.plots, folder / "plots");
   exhibits.drawn = std::move(drawn.names);
   if (!drawn.missing.empty()) exhibits.missing.push_back(std::move(drawn.missing));
-  Pictures pictures = draw_pictures(arrange(results), folder);
-  exhibits.pictures = std::move(pictures.pictures);
   std::move(pictures.missing.begin(), pictures.missing.end(), std::back_inserter(exhibits.missing));
   return exhibits;
 }

@@ -23,8 +23,9 @@ Found find(const fs::path& folder, const RunRequest& request) {
   if (!fs::exists(path)) return {};
   try {
     Found found{read_record(path), ""};
-    // The label is the plan's: renaming one does not make another result.
+    // What is no part of the result is the plan's: renaming a label does not make another one.
     found.record->request.label = request.label;
+    found.record->request.aside = request.aside;
     return found;
   } catch (const Error& error) {
     return {std::nullopt, error.what()};
