@@ -65,7 +65,27 @@ double contraction(const MeshingTask& task) {
   return task.sizing.uniform() ? 1.0 : g;
 }
 
-/// Critical points of F that are nearer to the surface than the floor can show, and what is done about them.
+/// Leaves the places where the sizing's floor is larger than the features for someone to look at.
+void show_floor_places(const std::vector<CriticalPoint>& points, double floor, double epsilon, double least,
+                       Monitor& monitor) {
+  std::size_t count = 0;
+  std::size_t left = 0;
+  Artefact places;
+  for (const CriticalPoint& point : points) {
+    const double wanted = 2.0 * epsilon * point.distance;
+    if (!(wanted < floor)) continue;
+    ++count;
+    if (wanted < least) ++left;
+    places.points.push_back(point.position);
+    places.data["distance"].push_back(point.distance);
+    places.data["falling"].push_back(point.falling);
+  }
+  monitor.set("floor/places", static_cast<double>(count));
+  monitor.set("floor/places left", static_cast<double>(left));
+  if (monitor.keeps_artefacts()) monitor.artefact("floor-places", std::move(places));
+}
+
+/// Where the topology is decided by features smaller than the floor.
 std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField& field, Monitor& monitor) {
   if (task.sizing.uniform()) return std::nullopt;
   const auto stage = monitor.stage("critical points");
@@ -73,20 +93,8 @@ std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField
   const double epsilon = *task.sizing.epsilon;
   std::vector<CriticalPoint> points =
       critical_points(task.surface, *field.band(), field.floor_length() / (2.0 * epsilon));
-  monitor.set("floor/places", static_cast<double>(points.size()));
-  if (monitor.keeps_artefacts()) {
-    Artefact places;
-    for (const CriticalPoint& point : points) {
-      places.points.push_back(point.position);
-      places.data["distance"].push_back(point.distance);
-      places.data["falling"].push_back(point.falling);
-    }
-    monitor.artefact("floor-places", std::move(places));
-  }
-  const double least = task.parameters.number("critical_floor") * voxel;
-  const auto left = std::count_if(points.begin(), points.end(),
-                                  [&](const CriticalPoint& point) { return 2.0 * epsilon * point.distance < least; });
-  monitor.set("floor/places left", static_cast<double>(left));
+  const double least = std::min(field.floor_length(), task.parameters.number("critical_floor") * voxel);
+  show_floor_places(points, field.floor_length(), epsilon, least, monitor);
   if (!(least < field.floor_length())) return std::nullopt;
   const double delta = std::min(*task.sizing.delta, task.parameters.number("gradation"));
   return FinePlaces(task.surface, std::move(points), epsilon, delta, least);
