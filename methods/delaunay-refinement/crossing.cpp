@@ -44,7 +44,7 @@ Eigen::Vector3d polished(const Isosurface& surface, End in, End out) {
   for (int n = 0; n < most; ++n) {
     const double slope = (in.f - out.f) / (at_out - at_in);
     const double at = at_in + in.f / slope;
-    const Eigen::Vector3d x = (1.0 - at) * in.x + at * out.x;
+    Eigen::Vector3d x = (1.0 - at) * in.x + at * out.x;
     const double f = surface.value(x);
     if (std::abs(f) * length < tolerance * surface.voxel() * slope) return x;
     // Illinois: an end that has stood for two steps counts half, or it would stand for ever.
