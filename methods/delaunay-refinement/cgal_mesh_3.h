@@ -77,7 +77,7 @@ class Domain {  // NOLINTBEGIN(readability-identifier-naming): the concept's nam
 };  // NOLINTEND(readability-identifier-naming)
 
 /// A bound on the radii of facets' balls, as Mesh_3 asks for it.
-struct RadiusBound {
+struct RadiusBound {  // NOLINTBEGIN(readability-identifier-naming): the concept's names
   using FT = Kernel::FT;
   using Point_3 = Kernel::Point_3;
   using Index = Domain::Index;
@@ -85,7 +85,7 @@ struct RadiusBound {
 
   const SizingField* sizes;
   double factor;
-};
+};  // NOLINTEND(readability-identifier-naming)
 
 template <class Concurrency>
 class RefinementByMesh3 final : public Refinement {

@@ -55,17 +55,10 @@ TriangleMesh from_cgal(Mesh& mesh) {
 
 }  // namespace
 
-TriangleMesh remesh(const TriangleMesh& mesh, double edge_length, int iterations,
-                    const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& project) {
+TriangleMesh remesh(const TriangleMesh& mesh, double edge_length, int iterations) {
   Mesh work = to_cgal(mesh);
-  const auto on_surface = [&](Mesh::Vertex_index vertex) {
-    const Point& p = work.point(vertex);
-    const Eigen::Vector3d x = project({p.x(), p.y(), p.z()});
-    return Point(x[0], x[1], x[2]);
-  };
-  pmp::isotropic_remeshing(
-      work.faces(), edge_length, work,
-      CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations)).projection_functor(on_surface));
+  pmp::isotropic_remeshing(work.faces(), edge_length, work,
+                           CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations)));
   TriangleMesh result = from_cgal(work);
   drop_unused_vertices(result);
   return result;

@@ -15,16 +15,17 @@ class Remesher {
       : task_(task), monitor_(monitor), lattice_mesh_(marching_cubes(task.surface, monitor)) {}
 
   TriangleMesh to_length(double edge_length) {
-    const auto project = [this](const Eigen::Vector3d& x) {
-      monitor_.check();
+    monitor_.check();
+    TriangleMesh mesh = remesh(lattice_mesh_, edge_length, task_.parameters.integer("iterations"));
+    // Not after every move: where the lattice joins sheets that F = c keeps apart, vertices would be torn to and fro.
+    std::size_t failed = 0;
+    for (Eigen::Vector3d& x : mesh.vertices) {
       const auto foot = task_.surface.project(x);
-      failed_ += foot ? 0 : 1;
-      return foot.value_or(x);
-    };
-    failed_ = 0;
-    TriangleMesh mesh = remesh(lattice_mesh_, edge_length, task_.parameters.integer("iterations"), project);
+      failed += foot ? 0U : 1U;
+      x = foot.value_or(x);
+    }
     monitor_.set("isotropic-remeshing/length", edge_length);
-    monitor_.set("isotropic-remeshing/moves not projected", static_cast<double>(failed_));
+    monitor_.set("isotropic-remeshing/not projected", static_cast<double>(failed));
     return mesh;
   }
 
@@ -51,7 +52,6 @@ class Remesher {
   const MeshingTask& task_;
   Monitor& monitor_;
   TriangleMesh lattice_mesh_;
-  std::size_t failed_ = 0;
 };
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
