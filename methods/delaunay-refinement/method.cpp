@@ -108,7 +108,10 @@ Method method_delaunay_refinement() {
       {"distance", 0.0, "voxels",
        "the largest distance between the centres of a facet's circle and of its ball on F = c; 0: any", 0.0, 100.0},
   };
-  method.deterministic_with = [](const Parameters& parameters) { return !parameters.flag("parallel"); };
+  // The surface mesher mends edges and vertices that are no manifold in the order of their addresses.
+  method.deterministic_with = [](const Parameters& parameters) {
+    return !parameters.flag("parallel") && parameters.text("engine") == "mesh-3";
+  };
   method.mesh = delaunay_refinement::mesh;
   return method;
 }

@@ -36,14 +36,11 @@ bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
 
 const std::vector<Choice> published{
     {"medial_axis", "foot-points"}, {"sizing_nodes", "bounding"}, {"limiter", "iteration"}, {"seeds", "marching-cubes"},
-    {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"},  {"finish", "0"}};
-const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"},
-                               {"sizing_nodes", "projected"},
-                               {"limiter", "fast-iterative"},
-                               {"seeds", "elimination"},
-                               {"relaxation", "newton"},
-                               {"surface", "labelled-delaunay"},
-                               {"finish", "12"}};
+    {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"},  {"finish", "0"},          {"critical_floor", "100"}};
+const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"}, {"sizing_nodes", "projected"},
+                               {"limiter", "fast-iterative"},      {"seeds", "elimination"},
+                               {"relaxation", "newton"},           {"surface", "labelled-delaunay"},
+                               {"critical_floor", "0.02"},         {"finish", "3"}};
 
 TEST(ParticlePresets, AreOnePipelineWithOtherDefaults) {
   Monitor monitor;
@@ -101,7 +98,7 @@ TEST(Particles2007, LeavesTracesAndArtefacts) {
   ASSERT_GT(traces.at("energy").size(), 10U);
   EXPECT_EQ(traces.at("moves").size(), traces.at("energy").size());
   EXPECT_LE(traces.at("particles").size(), monitor.counters().at("particles/rounds"));
-  EXPECT_EQ(monitor.artefacts().size(), 4U);
+  EXPECT_EQ(monitor.artefacts().size(), 5U);
   const Artefact& particles = monitor.artefacts().at("particles");
   EXPECT_EQ(static_cast<double>(particles.points.size()), monitor.counters().at("particles/count"));
   EXPECT_EQ(particles.data.at("h").size(), particles.points.size());
