@@ -110,10 +110,19 @@ std::string run_html(const RunRecord& record) {
          facts.html() + "</details>\n";
 }
 
-// Beyond these a page of runs is searched, not read: run.json has all that a fold has.
+// Beyond these a page of runs is searched, not read: run.json has all that a fold has, and results.csv lists them all.
 constexpr std::size_t most_folds = 200;
+constexpr std::size_t most_links = 2000;
 
 std::string others_html(const Results& results) {
+  const std::size_t others = results.records.size() - most_folds;
+  if (others > most_links) {
+    return fmt::format(
+        "<p>{} further runs are too many to be listed here: <a href=\"results.csv\">results.csv</a> has a row for "
+        "each, "
+        "and the run.json in its folder says where it comes from.</p>\n",
+        others);
+  }
   std::string text;
   for (std::size_t n = most_folds; n < results.records.size(); ++n) {
     const RunRecord& record = results.records[n];
@@ -121,7 +130,7 @@ std::string others_html(const Results& results) {
     text += fmt::format("<li><a href=\"{0}/run.json\">{0}</a> {1}</li>\n", run, to_string(record.status));
   }
   return fmt::format("<details><summary>{} further runs, each with its run.json</summary>\n<ul>\n{}</ul></details>\n",
-                     results.records.size() - most_folds, text);
+                     others, text);
 }
 
 }  // namespace
