@@ -70,8 +70,9 @@ FinePlaces::FinePlaces(const Isosurface& surface, std::vector<CriticalPoint> poi
   for (std::uint32_t n = 0; n < points_.size(); ++n) {
     std::vector<std::size_t> met;
     for (int corner = 0; corner < 27; ++corner) {
-      const Vector3d way(corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1);
-      const Vector3d x = (points_[n].position + way.cwiseProduct(reach)).cwiseMax(0.0).cwiseMin(surface.extent());
+      const Eigen::Vector3i way(corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1);
+      const Vector3d x =
+          (points_[n].position + way.cast<double>().cwiseProduct(reach)).cwiseMax(0.0).cwiseMin(surface.extent());
       met.push_back(brick_of(x));
     }
     std::sort(met.begin(), met.end());

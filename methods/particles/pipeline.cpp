@@ -46,7 +46,7 @@ std::shared_ptr<const SizingField> sizing_field(const MeshingTask& task, Monitor
   const SizingStages stages = sizing_stages(task);
   const double gradation = task.parameters.number("gradation");
   if (stages == SizingStages{}) {
-    const auto usual = task.sizing_field(monitor);
+    auto usual = task.sizing_field(monitor);
     if (!(*task.sizing.delta > gradation)) return usual;
     // Smaller everywhere, so what the asked δ promises holds all the same.
     const auto stage = monitor.stage("sizing");
