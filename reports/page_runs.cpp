@@ -65,7 +65,7 @@ void add_environment(const RunRecord& record, Facts& facts) {
   facts.add("built by", here.compiler + ", " + here.build_type);
   std::string libraries;
   for (const auto& [name, version] : here.libraries)
-    libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
+    libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
   facts.add("libraries", libraries);
   facts.add("machine", fmt::format("{} ({}), {} cores, {} threads, load {:.2f}", here.host, here.cpu, here.cores,
                                    record.threads, here.load));
