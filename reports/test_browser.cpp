@@ -123,7 +123,7 @@ Browser::~Browser() {
 
 Json Browser::call(const std::string& method, const std::string& path, const Json& body) {
   const std::string address = "http://127.0.0.1:" + std::to_string(port_) + path;
-  const Json answer = Json::parse(request(method, address, body.dump())).at("value");
+  Json answer = Json::parse(request(method, address, body.dump())).at("value");
   if (answer.is_object() && answer.contains("error"))
     throw std::runtime_error(path + ": " + answer.value("message", "an error"));
   return answer;
