@@ -101,7 +101,7 @@ std::string submit_batch(const std::vector<std::string>& words) {
   command.insert(command.end(), words.begin(), words.end());
   const CommandOutput output = run_command(command);
   // "123" or "123;cluster"
-  const std::string job = trimmed(output.out.substr(0, output.out.find(';')));
+  std::string job = trimmed(output.out.substr(0, output.out.find(';')));
   if (output.code != 0 || job.empty() || job.find_first_not_of("0123456789") != std::string::npos)
     throw Error("sbatch refused: " + trimmed(output.err.empty() ? output.out : output.err));
   return job;

@@ -51,7 +51,7 @@ std::string first_unbalanced(const std::string& page) {
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
     const bool closing = page[at + 1] == '/';
     const std::size_t start = at + (closing ? 2 : 1);
-    const std::string name = page.substr(start, page.find_first_of(" >\n", start) - start);
+    std::string name = page.substr(start, page.find_first_of(" >\n", start) - start);
     if (name == "!DOCTYPE" || name == "meta" || name == "link" || name == "img") continue;
     if (name == "script" || name == "style") {
       at = page.find("</" + name + ">", at);

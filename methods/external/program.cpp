@@ -21,8 +21,6 @@
 #include "datasets/error.h"
 #include "datasets/processes.h"
 
-extern char** environ;
-
 namespace isobench::external {
 
 namespace {

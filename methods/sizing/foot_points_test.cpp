@@ -169,7 +169,7 @@ TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
   const double voxel = axis.surface.voxel();
   const MedialBalls balls = shrinking_balls(axis.samples, voxel, axis.cap, monitor);
   const auto differ = [&](const std::string& which) {
-    const AxisDifference found = axis_difference(axis.samples, axis.points, balls, voxel, axis.cap);
+    AxisDifference found = axis_difference(axis.samples, axis.points, balls, voxel, axis.cap);
     RecordProperty(which + "_median", std::to_string(found.median));
     RecordProperty(which + "_p95", std::to_string(found.p95));
     RecordProperty(which + "_differing", std::to_string(found.differing));
