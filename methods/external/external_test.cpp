@@ -91,7 +91,7 @@ TEST(External, AMeshComesBackAsItWentInEveryFormatAndFrame) {
       const Trial made =
           run("cp \"$1\" \"$2\"", {{"mesh", "mesh" + ending}, {"output", "output" + ending}, {"frame", frame}});
       EXPECT_EQ(made.error, "");
-      expect_the_sphere(made.mesh, frame + " " + ending);
+      expect_the_sphere(made.mesh, std::string(frame).append(" ").append(ending));
       EXPECT_EQ(made.counters.at("external/components turned"), 0.0) << frame << ending;
     }
   }

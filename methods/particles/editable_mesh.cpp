@@ -18,12 +18,12 @@ EditableMesh::EditableMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Ei
   fixed_.assign(points.size(), 0);
   std::vector<Index> all(origin_.size());
   std::iota(all.begin(), all.end(), Index{0});
-  pair_up(std::move(all));
+  pair_up(all);
   find_fixed();
 }
 
 /// Links half-edges that run both ways between two vertices, once each; others stay without a twin.
-void EditableMesh::pair_up(std::vector<Index> half_edges) {
+void EditableMesh::pair_up(std::span<const Index> half_edges) {
   struct Keyed {
     std::uint64_t ends;
     Index half_edge;

@@ -75,7 +75,7 @@ class EditableMesh {
  private:
   Index add_triangle();
   void link(Index e, Index f);
-  void pair_up(std::vector<Index> half_edges);
+  void pair_up(std::span<const Index> half_edges);
   void find_fixed();
 
   std::vector<Index> origin_;
