@@ -99,7 +99,7 @@ TEST(DelaunayRefinement, EdgesAreAsLongAsAskedForOnAverage) {
   }
 }
 
-// Named so that the thread sanitizer leaves it out: CGAL reads in parallel what it then checks under a lock.
+// Named so that the thread sanitizer leaves it out: CGAL's parallel mesher is not ours to check.
 TEST(DelaunayRefinement, FollowsTheFieldOfSizes) {
   const Isosurface surface = surface_of("torus", 48);
   SizingRequest request;

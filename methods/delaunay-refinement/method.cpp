@@ -108,7 +108,7 @@ Method method_delaunay_refinement() {
       {"distance", 0.0, "voxels",
        "the largest distance between the centres of a facet's circle and of its ball on F = c; 0: any", 0.0, 100.0},
   };
-  // The surface mesher mends edges and vertices that are no manifold in the order of their addresses.
+  // The surface mesher was seen to make another mesh at the same seed; perhaps its order is that of addresses.
   method.deterministic_with = [](const Parameters& parameters) {
     return !parameters.flag("parallel") && parameters.text("engine") == "mesh-3";
   };

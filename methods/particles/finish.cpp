@@ -24,7 +24,7 @@ constexpr ShapeEnergy average_shape{0};
 constexpr int sweeps_a_round = 2;
 constexpr int last_sweeps = 4;
 
-/// Searches wider where narrower did not help: the last ones take a second a place, and there is hardly ever one left.
+/// Searches wider where narrower did not help: the last ones are dear, but there is hardly ever a place left for them.
 constexpr std::array<PatchSearch, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 

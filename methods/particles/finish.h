@@ -18,7 +18,7 @@ namespace isobench::particles {
 /// could meet.
 ///
 /// Stages "connectivity", "shape" and "tail" of the monitor's current stage. The same mesh for any number of threads.
-/// Cost: about 40 µs of one core a vertex, on all threads.
+/// Cost: 10 to 25 µs of one core a vertex, on all threads.
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor);
 

@@ -22,7 +22,7 @@ struct CriticalPoint {
 
 /// Those whose distance is below `reach` (mm), in the cells whose lowest corner is in the band; in the band's order.
 /// Newton's method from the middle of each cell, and from those of its eighths where the first step stays near.
-/// Multi-threaded; the result does not depend on the number of threads. Cost: about 0.3 µs a band node.
+/// Multi-threaded; the result does not depend on the number of threads. Cost: about 1 µs of one core a band node.
 std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach);
 
 }  // namespace isobench

@@ -24,8 +24,7 @@ Isosurface sampled(int nodes, double spacing, double isovalue, const std::functi
   return {std::move(volume), isovalue, Inside::above, Kernel::interpolating_bspline};
 }
 
-// cos x cos y cos z with a period of 16 nodes: a saddle at half-way points, where two cosines vanish and bend the
-// third.
+// cos x + cos y + cos z with a period of 16 nodes: critical where every cosine is 1 or −1.
 TEST(CriticalPoints, OfCosinesAreFoundWithTheirKinds) {
   constexpr double wave = 2.0 * std::numbers::pi / 16.0;
   const auto f = [](const Eigen::Vector3d& x) {

@@ -20,8 +20,8 @@ LatticeNeighbours lattice_neighbours(const Band& band, std::size_t n);
 ///
 /// Equation 3 sums both sides of each axis, so a node's value is min(h0, U) with Σ max(0, (U − u)/s)² = δ² over *all*
 /// lower neighbours u, up to six; the usual scheme with the smaller neighbour of each axis has another fixed point.
-/// `h0` and the result hold one value a band node, mm. The same result for any number of threads. Cost: a few visits a
-/// node that is limited, on all threads; 20 bytes a node while it runs.
+/// `h0` and the result hold one value a band node, mm. The same result for any number of threads. Cost: up to a dozen
+/// visits a node where sizes vary widely, on all threads; 20 bytes a node while it runs.
 std::vector<float> limit_gradient(const Band& band, const std::vector<float>& h0, double delta, Monitor& monitor);
 
 /// The same field by the paper's own way: equation 2 iterated with Δt = a sixth of the smallest spacing, all nodes at
