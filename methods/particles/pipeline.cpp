@@ -85,6 +85,18 @@ void show_floor_places(const std::vector<CriticalPoint>& points, double floor, d
   if (monitor.keeps_artefacts()) monitor.artefact("floor-places", std::move(places));
 }
 
+/// Adds what no lattice of nodes shows, however large it is against the floor: without seeds there, it would be lost.
+void add_hidden(const Isosurface& surface, std::vector<CriticalPoint>& points) {
+  const std::size_t known = points.size();
+  for (const CriticalPoint& extremum : hidden_extrema(surface)) {
+    const auto is_same = [&](const CriticalPoint& other) {
+      return (other.position - extremum.position).norm() < 1e-3 * surface.voxel();
+    };
+    if (std::none_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(known), is_same))
+      points.push_back(extremum);
+  }
+}
+
 /// Where the topology is decided by features smaller than the floor.
 std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField& field, Monitor& monitor) {
   if (task.sizing.uniform()) return std::nullopt;
@@ -93,6 +105,7 @@ std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField
   const double epsilon = *task.sizing.epsilon;
   std::vector<CriticalPoint> points =
       critical_points(task.surface, *field.band(), field.floor_length() / (2.0 * epsilon));
+  add_hidden(task.surface, points);
   const double least = std::min(field.floor_length(), task.parameters.number("critical_floor") * voxel);
   show_floor_places(points, field.floor_length(), epsilon, least, monitor);
   if (!(least < field.floor_length())) return std::nullopt;

@@ -9,13 +9,21 @@
 #include <limits>
 #include <optional>
 
+#include "methods/sizing/hidden_cells.h"
+
 namespace isobench {
 
 namespace {
 
 using Eigen::Vector3d;
 
+/// That of which a node is the lowest corner.
 struct Cell {
+  Cell(const Lattice& lattice, const std::array<int, 3>& node)
+      : low(lattice.spacing.cwiseProduct(Vector3d(node[0], node[1], node[2]))),
+        high(low + lattice.spacing),
+        size(lattice.spacing.minCoeff()) {}
+
   Vector3d low;
   Vector3d high;
   double size;  // its shortest side
@@ -71,12 +79,38 @@ CriticalPoint described(const Isosurface& surface, const Vector3d& x) {
   return point;
 }
 
-std::vector<CriticalPoint> points_in(const Isosurface& surface, const Cell& cell, double reach) {
+/// Whether ∇f can be 0 in the cell of a node: its components are weighted means, with weights above 0, of differences
+/// between neighbouring coefficients, and none is 0 where these have one sign.
+bool gradient_may_vanish(const Isosurface& surface, const std::array<int, 3>& node) {
+  std::array<float, 64> taps{};
+  auto* out = taps.data();
+  for (int k = -1; k < 3; ++k) {
+    for (int j = -1; j < 3; ++j) {
+      for (int i = -1; i < 3; ++i) *out++ = surface.coefficient(node[0] + i, node[1] + j, node[2] + k);
+    }
+  }
+  for (const std::size_t step : {std::size_t{1}, std::size_t{4}, std::size_t{16}}) {
+    int rising = 0;
+    int falling = 0;
+    for (std::size_t n = 0; n < taps.size(); ++n) {
+      if (n / step % 4 == 3) continue;
+      rising += taps[n + step] > taps[n] ? 1 : 0;
+      falling += taps[n + step] < taps[n] ? 1 : 0;
+    }
+    constexpr int differences = 48;
+    if (rising == differences || falling == differences) return false;
+  }
+  return true;
+}
+
+std::vector<CriticalPoint> points_in(const Isosurface& surface, const std::array<int, 3>& node, double reach) {
+  const Cell cell(surface.lattice(), node);
   std::vector<CriticalPoint> found;
   const Vector3d middle = cell.middle();
   // F is cubic in each coordinate: where Newton's first step leads far out of the cell, no root is in it.
   const auto first = newton_step(surface.jet(middle));
   if (first && !(first->cwiseAbs().array() < 1.5 * (cell.high - cell.low).array()).all()) return found;
+  if (!gradient_may_vanish(surface, node)) return found;
   for (int start = 0; start < 9; ++start) {
     Vector3d x = middle;
     if (start > 0) {
@@ -96,22 +130,10 @@ std::vector<CriticalPoint> points_in(const Isosurface& surface, const Cell& cell
   return found;
 }
 
-}  // namespace
-
-std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach) {
-  std::vector<std::vector<CriticalPoint>> found(band.size());
-  const std::array<int, 3>& size = surface.lattice().size;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, band.size(), 512), [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) {
-      const auto& [i, j, k] = band.node(n);
-      if (i + 1 >= size[0] || j + 1 >= size[1] || k + 1 >= size[2]) continue;
-      const Vector3d low = band.position(n);
-      found[n] = points_in(surface, {low, low + band.spacing(), band.spacing().minCoeff()}, reach);
-    }
-  });
+/// Of those found cell by cell, each once: one on the face between two cells may be found from both.
+std::vector<CriticalPoint> joined(const std::vector<std::vector<CriticalPoint>>& found, double voxel) {
+  const double same = 1e-4 * voxel;
   std::vector<CriticalPoint> all;
-  // One on the face between two cells may be found from both.
-  const double same = 1e-4 * surface.voxel();
   for (const auto& in_cell : found) {
     for (const CriticalPoint& point : in_cell) {
       const bool known = std::any_of(all.begin(), all.end(), [&](const CriticalPoint& other) {
@@ -121,6 +143,36 @@ std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band
     }
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach) {
+  std::vector<std::vector<CriticalPoint>> found(band.size());
+  const std::array<int, 3>& size = surface.lattice().size;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, band.size(), 512), [&](const auto& range) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      const auto& [i, j, k] = band.node(n);
+      if (i + 1 >= size[0] || j + 1 >= size[1] || k + 1 >= size[2]) continue;
+      found[n] = points_in(surface, band.node(n), reach);
+    }
+  });
+  return joined(found, surface.voxel());
+}
+
+std::vector<CriticalPoint> hidden_extrema(const Isosurface& surface) {
+  const std::vector<std::array<int, 3>> cells = hidden_cells(surface);
+  std::vector<std::vector<CriticalPoint>> found(cells.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 64), [&](const auto& range) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      found[n] = points_in(surface, cells[n], std::numeric_limits<double>::infinity());
+      const bool corners_inside = surface.value(Cell(surface.lattice(), cells[n]).low) > 0.0;
+      std::erase_if(found[n], [corners_inside](const CriticalPoint& point) {
+        return corners_inside ? point.falling != 0 || point.value > 0.0 : point.falling != 3 || !(point.value > 0.0);
+      });
+    }
+  });
+  return joined(found, surface.voxel());
 }
 
 }  // namespace isobench

@@ -25,4 +25,8 @@ struct CriticalPoint {
 /// Multi-threaded; the result does not depend on the number of threads. Cost: about 1 µs of one core a band node.
 std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach);
 
+/// The peaks above and the pits below F = c of hidden cells (hidden_cells.h): where a node-free speck or cavity is.
+/// Also the tips of what reaches into such a cell from outside. Multi-threaded, the same for any number of threads.
+std::vector<CriticalPoint> hidden_extrema(const Isosurface& surface);
+
 }  // namespace isobench
