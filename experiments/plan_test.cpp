@@ -159,7 +159,7 @@ values = [1, 2]
   EXPECT_EQ(keys.size(), plan.size());
   EXPECT_EQ(plan[2].repeat, 3);
   EXPECT_EQ(plan[2].run.rfind("torus-marching-cubes-l2-s1-r3-", 0), 0U) << plan[2].run;
-  EXPECT_EQ(plan[0].reference_k, 2);
+  EXPECT_EQ(plan[0].reference_k, default_reference_k);
   EXPECT_EQ(plan[6].reference_k, 1);
 }
 

@@ -50,16 +50,16 @@ const std::vector<MetricDefinition>& metric_definitions() {
        "Connected components of the mesh: triangles that can be reached from one another over edges."},
       {"components_reference", "",
        "Connected components of the surface itself, counted without any mesh from the signs of F − c on a lattice "
-       "refined "
-       "reference_k times and cut into Kuhn tetrahedra."},
+       "refined reference_k times, and as finely as they need it around critical points of F, cut into Kuhn "
+       "tetrahedra."},
       {"euler", "",
        "Euler characteristic χ = vertices − edges + triangles of the mesh, vertices without a triangle left out; a "
        "closed "
        "surface of genus g has 2 − 2g."},
       {"euler_reference", "",
        "Euler characteristic of the surface itself: edges − triangles + tetrahedra whose corners differ in the sign of "
-       "F − c, on a lattice refined reference_k times and cut into Kuhn tetrahedra; the outermost two layers of nodes "
-       "count as outside."},
+       "F − c, on a lattice refined reference_k times, and as finely as they need it around critical points of F, cut "
+       "into Kuhn tetrahedra; the outermost two layers of nodes count as outside."},
       {"reference_k", "",
        "How many times finer than the data's lattice the one is on which the reference was counted."},
       {"boundary_edges", "", "Edges of a single triangle; none in a closed mesh."},

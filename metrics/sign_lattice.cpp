@@ -32,32 +32,41 @@ struct Workspace {
 
 class Refinement {
  public:
-  Refinement(const Isosurface& surface, int k, SignLattice& signs)
+  Refinement(const Isosurface& surface, const NodeBox& box, int k, int factor, SignLattice& signs)
       : surface_(surface),
-        k_(k),
-        n_(surface.lattice().size),
-        padded_(static_cast<std::size_t>(n_[0]) + 3),
+        box_(box),
+        k_(k * factor),
+        closed_(2 * factor),
+        padded_(static_cast<std::size_t>(box.high[0] - box.low[0]) + 4),
         signs_(signs) {
-    for (int p = 0; p < k; ++p) weights_.push_back(kernel_weights(surface.kernel(), static_cast<double>(p) / k));
+    for (int p = 0; p < k_; ++p) weights_.push_back(kernel_weights(surface.kernel(), static_cast<double>(p) / k_));
   }
 
   /// All refined slabs between lattice layer `layer` and the next.
   void refine(int layer, Workspace& work) const {
     for (int t = 0; t < 4; ++t) load_layer(layer - 1 + t, work.layers[static_cast<std::size_t>(t)]);
-    const int phases = layer + 1 < n_[2] ? k_ : 1;
+    const int phases = layer < box_.high[2] ? k_ : 1;
     for (int p = 0; p < phases; ++p) {
-      const int z = layer * k_ + p;
-      if (z >= 2 && z < signs_.size()[2] - 2) refine_slab(z, weights_[static_cast<std::size_t>(p)], work);
+      const int z = (layer - box_.low[2]) * k_ + p;
+      if (!is_border(z, 2)) refine_slab(z, weights_[static_cast<std::size_t>(p)], work);
     }
   }
 
  private:
-  // Rows begin with coefficient −1 and end with n + 1, so that the four taps of every cell exist.
+  /// Whether a node, by its number along an axis of the box, is so near the volume's border that it counts as outside.
+  bool is_border(int node, std::size_t axis) const {
+    const int from_low = box_.low[axis] * k_ + node;
+    const int from_high = (surface_.lattice().size[axis] - 1) * k_ - from_low;
+    return std::min(from_low, from_high) < closed_;
+  }
+
+  // Rows begin one coefficient before the box and end two beyond it, and so do columns, so that every cell has its
+  // taps.
   void load_layer(int layer, std::vector<double>& values) const {
-    values.resize(padded_ * static_cast<std::size_t>(n_[1]));
+    values.resize(padded_ * static_cast<std::size_t>(box_.high[1] - box_.low[1] + 4));
     double* out = values.data();
-    for (int j = 0; j < n_[1]; ++j) {
-      for (int i = -1; i < n_[0] + 2; ++i) *out++ = surface_.coefficient(i, j, layer);
+    for (int j = box_.low[1] - 1; j < box_.high[1] + 3; ++j) {
+      for (int i = box_.low[0] - 1; i < box_.high[0] + 3; ++i) *out++ = surface_.coefficient(i, j, layer);
     }
   }
 
@@ -71,15 +80,14 @@ class Refinement {
     const auto& layers = work.layers;
     work.slab.resize(layers[0].size());
     work.row.resize(padded_);
-    work.phase.resize(static_cast<std::size_t>(n_[0]));
+    work.phase.resize(padded_ - 3);
     combine({layers[0].data(), layers[1].data(), layers[2].data(), layers[3].data()}, weights, work.slab.size(),
             work.slab.data());
-    const auto slab_row = [&](int j) {
-      return work.slab.data() + padded_ * static_cast<std::size_t>(std::clamp(j, 0, n_[1] - 1));
-    };
-    for (int y = 2; y < signs_.size()[1] - 2; ++y) {
-      const int j = y / k_;
-      combine({slab_row(j - 1), slab_row(j), slab_row(j + 1), slab_row(j + 2)},
+    for (int y = 0; y < signs_.size()[1]; ++y) {
+      if (is_border(y, 1)) continue;
+      // The last node begins no cell of its own, and has the weight of a tap that exists all the same.
+      const double* rows = work.slab.data() + padded_ * static_cast<std::size_t>(y / k_);
+      combine({rows, rows + padded_, rows + 2 * padded_, rows + 3 * padded_},
               weights_[static_cast<std::size_t>(y % k_)], padded_, work.row.data());
       refine_row(y, z, work);
     }
@@ -96,15 +104,15 @@ class Refinement {
         bits[x / 64] |= static_cast<std::uint64_t>(work.phase[i] > 0.0) << (x % 64);
       }
     }
-    bits[0] &= ~std::uint64_t{3};
-    for (auto x = static_cast<std::size_t>(signs_.size()[0]) - 2; x < static_cast<std::size_t>(signs_.size()[0]); ++x) {
-      bits[x / 64] &= ~(std::uint64_t{1} << (x % 64));
-    }
+    const auto close = [&](int x) { bits[x / 64] &= ~(std::uint64_t{1} << (x % 64)); };
+    for (int x = 0; x < signs_.size()[0] && is_border(x, 0); ++x) close(x);
+    for (int x = signs_.size()[0] - 1; x >= 0 && is_border(x, 0); --x) close(x);
   }
 
   const Isosurface& surface_;
+  NodeBox box_;
   int k_;
-  std::array<int, 3> n_;
+  int closed_;  // layers of nodes at the volume's border that count as outside
   std::size_t padded_;
   SignLattice& signs_;
   std::vector<Weights> weights_;
@@ -114,13 +122,19 @@ class Refinement {
 
 SignLattice refined_signs(const Isosurface& surface, int k, Monitor& monitor) {
   const std::array<int, 3>& n = surface.lattice().size;
-  SignLattice signs({k * (n[0] - 1) + 1, k * (n[1] - 1) + 1, k * (n[2] - 1) + 1});
-  const Refinement refinement(surface, k, signs);
+  return refined_signs(surface, NodeBox{{0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}}, k, 1, monitor);
+}
+
+SignLattice refined_signs(const Isosurface& surface, const NodeBox& box, int k, int factor, Monitor& monitor) {
+  std::array<int, 3> size{};
+  for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = k * factor * (box.high[axis] - box.low[axis]) + 1;
+  SignLattice signs(size);
+  const Refinement refinement(surface, box, k, factor, signs);
   tbb::enumerable_thread_specific<Workspace> workspaces;
-  constexpr int batch = 16;  // lattice layers between two reports of progress
-  for (int begin = 0; begin < n[2]; begin += batch) {
-    monitor.progress(static_cast<double>(begin) / n[2]);
-    tbb::parallel_for(begin, std::min(begin + batch, n[2]),
+  constexpr int batch = 16;  // lattice layers between two looks at whether to stop
+  for (int begin = box.low[2]; begin <= box.high[2]; begin += batch) {
+    monitor.check();
+    tbb::parallel_for(begin, std::min(begin + batch, box.high[2] + 1),
                       [&](int layer) { refinement.refine(layer, workspaces.local()); });
   }
   return signs;

@@ -41,9 +41,19 @@ class SignLattice {
   std::vector<std::uint64_t> words_;
 };
 
+/// Cells of a surface's lattice: those between two of its nodes, low < high along each axis.
+struct NodeBox {
+  std::array<int, 3> low{};
+  std::array<int, 3> high{};
+};
+
 /// The signs of the surface's own function at the nodes i/k (k ≥ 1) of its lattice, k(n − 1) + 1 along each axis, with
 /// the kernel that its values use; inside is f > 0. The outermost two layers of nodes count as outside.
 /// Separable: four multiply-adds a node, with all threads; memory is the bits and a few slabs a thread.
 SignLattice refined_signs(const Isosurface& surface, int k, Monitor& monitor);
+
+/// The same within a box of the lattice alone, refined `factor` · k times: k(high − low) · factor + 1 nodes along each
+/// axis, the first at `low`. What the lattice refined k times counts as outside for its place does so here.
+SignLattice refined_signs(const Isosurface& surface, const NodeBox& box, int k, int factor, Monitor& monitor);
 
 }  // namespace isobench

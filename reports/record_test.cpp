@@ -150,7 +150,7 @@ TEST(RecordBadInput, NamesAndNumbersThatWouldDoHarm) {
     refused("\"threads\": 2", fmt::format("\"threads\": {}", number));
   }
   refused("\"seed\": 1", "\"seed\": -1");
-  refused("\"reference_k\": 2", "\"reference_k\": 30000");
+  refused("\"reference_k\": 3", "\"reference_k\": 30000");
   refused("\"triangles\": 2000", "\"triangles\": -2000");
 }
 
