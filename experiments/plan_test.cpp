@@ -145,7 +145,7 @@ edge_length = 2
 name = "marching-cubes"
 [[vary]]
 key = "reference.k"
-values = [1, 2]
+values = [1, 3]
 )");
   ASSERT_EQ(plan.size(), 2U * 2U * 3U);
   std::set<std::string> names;

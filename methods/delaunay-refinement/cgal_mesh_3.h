@@ -91,6 +91,7 @@ template <class Concurrency>
 class RefinementByMesh3 final : public Refinement {
  public:
   explicit RefinementByMesh3(const Problem& problem) : problem_(problem), domain_(problem_) {
+    problem_.stop = &stop_;  // an exception would leave its groups of tasks allocated
     Triangulation& triangulation = complex_.triangulation();
     const auto weighted = triangulation.geom_traits().construct_weighted_point_3_object();
     for (const Eigen::Vector3d& seed : problem_.seeds) {
@@ -106,8 +107,10 @@ class RefinementByMesh3 final : public Refinement {
     const typename Criteria::Cell_criteria cells(0.0, 0.0);  // no bounds: cells are of no interest here
     const Criteria criteria(facets, cells);                  // the mesher refers to it
     // What CGAL::refine_mesh_3 does without its optimisers of cells, which take a minute and 2 GB to compile.
-    CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain> mesher(complex_, domain_, criteria, CGAL::MANIFOLD);
+    CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain> mesher(complex_, domain_, criteria, CGAL::MANIFOLD, 0, nullptr,
+                                                             &stop_);
     mesher.refine_mesh();
+    problem_.monitor.check();
     complex_.clear_manifold_info();
     MeshOfFacets<typename Triangulation::Vertex_handle> mesh;
     for (auto facet = complex_.facets_in_complex_begin(); facet != complex_.facets_in_complex_end(); ++facet)
@@ -120,6 +123,7 @@ class RefinementByMesh3 final : public Refinement {
   using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
   using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
+  std::atomic<bool> stop_{false};
   Problem problem_;
   Domain domain_;
   Complex complex_;

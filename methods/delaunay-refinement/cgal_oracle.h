@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "datasets/error.h"
 #include "methods/delaunay-refinement/crossing.h"
 #include "methods/delaunay-refinement/refinement.h"
 
@@ -44,8 +45,17 @@ class Dual {
   const Problem& problem() const { return *problem_; }
 
  private:
+  void check() const {
+    if (problem_->stop == nullptr) return problem_->monitor.check();
+    try {
+      problem_->monitor.check();
+    } catch (const Cancelled&) {
+      problem_->stop->store(true);
+    }
+  }
+
   std::optional<Kernel::Point_3> between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
-    problem_->monitor.check();
+    check();
     const std::optional<Eigen::Vector3d> x = delaunay_refinement::crossing(problem_->surface, a, b);
     if (!x) return std::nullopt;
     return to_point(*x);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Problem {
   double angle = 30.0;                 ///< degrees, smallest of a facet; above 30 refinement need not end
   double distance = 0.0;               ///< mm, of a facet's circumcentre to that of its ball on F = c; 0: any
   const Monitor& monitor;              ///< asked now and then whether to go on
+  /// What an engine looks at that must not be left by an exception; set then instead of throwing Cancelled.
+  std::atomic<bool>* stop = nullptr;
 };
 
 class Refinement {

@@ -52,13 +52,13 @@ TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const 
       monitor.add("finish/flipped", static_cast<double>(flip_for_valence(ground, edited)));
     }
     const auto stage = monitor.stage("shape");
-    smooth(surface, edited, average_shape, sweeps_a_round);
+    smooth(ground, edited, average_shape, sweeps_a_round);
   }
   {
     const auto stage = monitor.stage("shape");
-    smooth(surface, edited, average_shape, last_sweeps);
+    smooth(ground, edited, average_shape, last_sweeps);
     monitor.add("finish/flipped", static_cast<double>(flip_for_shape(ground, edited)));
-    smooth(surface, edited, ShapeEnergy{1}, last_sweeps);
+    smooth(ground, edited, ShapeEnergy{1}, last_sweeps);
   }
   {
     const auto stage = monitor.stage("tail");

@@ -124,7 +124,7 @@ bool make(const MeshGround& ground, EditableMesh& mesh, const Change& change) {
 void smooth_all(const MeshGround& ground, EditableMesh& mesh, int sweeps) {
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), Index{0});
-  smooth(ground.surface, mesh, tail_shape, sweeps, all);
+  smooth(ground, mesh, tail_shape, sweeps, all);
 }
 
 struct State {

@@ -34,7 +34,7 @@ bool gather_ring(const EditableMesh& mesh, Index v, Ring& ring) {
   return true;
 }
 
-double improve_vertex(const Isosurface& surface, EditableMesh& mesh, Index v, ShapeEnergy energy) {
+double improve_vertex(const MeshGround& ground, EditableMesh& mesh, Index v, ShapeEnergy energy) {
   Ring ring;
   if (!gather_ring(mesh, v, ring)) return 0.0;
   const Eigen::Vector3d x = mesh.points[v];
@@ -51,10 +51,11 @@ double improve_vertex(const Isosurface& surface, EditableMesh& mesh, Index v, Sh
   if (length > largest_step * scale) step *= largest_step * scale / length;
 
   const FanState before = fan_state(energy, ring, x, n);
-  const double least = std::min(least_cosine, before.least_cosine);
+  const double allowed = ground.sizing.uniform() ? least_cosine_uniform : least_cosine;
+  const double least = std::min(allowed, before.least_cosine);
   for (int attempt = 0; attempt < 4; ++attempt, step *= 0.35) {
-    Eigen::Vector3d to = (x + step[0] * u + step[1] * w).cwiseMax(0.0).cwiseMin(surface.extent());
-    const Jet at = surface.value_gradient(to);
+    Eigen::Vector3d to = (x + step[0] * u + step[1] * w).cwiseMax(0.0).cwiseMin(ground.surface.extent());
+    const Jet at = ground.surface.value_gradient(to);
     const double slope = at.gradient.norm();
     const double off = slope > 0.0 ? at.value / slope : 0.0;
     if (!(slope > 0.0) || std::abs(off) > largest_step * scale) continue;
@@ -92,7 +93,7 @@ std::vector<std::vector<Index>> colour(const EditableMesh& mesh) {
   return classes;
 }
 
-void smooth(const Isosurface& surface, EditableMesh& mesh, ShapeEnergy energy, int sweeps) {
+void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps) {
   const auto classes = colour(mesh);
   std::vector<std::uint8_t> moved(mesh.vertex_count(), 1);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -105,19 +106,19 @@ void smooth(const Isosurface& surface, EditableMesh& mesh, ShapeEnergy energy, i
             stirred = moved[mesh.target(e)] != 0;
             if (e == mesh.out(v)) break;
           }
-          if (stirred) moved[v] = improve_vertex(surface, mesh, v, energy) > at_rest ? 1 : 0;
+          if (stirred) moved[v] = improve_vertex(ground, mesh, v, energy) > at_rest ? 1 : 0;
         }
       });
     }
   }
 }
 
-void smooth(const Isosurface& surface, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
             std::span<const Index> vertices) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double most = 0.0;
     for (const Index v : vertices) {
-      if (mesh.movable(v)) most = std::max(most, improve_vertex(surface, mesh, v, energy));
+      if (mesh.movable(v)) most = std::max(most, improve_vertex(ground, mesh, v, energy));
     }
     if (most < at_rest) return;
   }
