@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,6 +64,35 @@ TEST(FinePlaces, MakeParticlesMeshABridgeThinnerThanTheFloor) {
     EXPECT_EQ(euler_of(mesh), off < 0.0 ? 2 : 4);
     EXPECT_LT(mesh.vertices.size(), 20000U);
   }
+}
+
+// Eight coefficients around a cell that no node of the lattice shows as inside, and yet the middle is.
+TEST(FinePlaces, ASpeckBetweenTheNodesIsMeshed) {
+  constexpr int nodes = 24;
+  Volume volume;
+  volume.lattice.size = {nodes, nodes, nodes};
+  for (int k = 0; k < nodes; ++k) {
+    for (int j = 0; j < nodes; ++j) {
+      for (int i = 0; i < nodes; ++i) {
+        const double ball = 4.0 - (Eigen::Vector3d(i, j, k) - Eigen::Vector3d::Constant(7.0)).norm();
+        const bool speck = std::min({i, j, k}) >= 17 && std::max({i, j, k}) <= 18;
+        volume.samples.push_back(speck ? 0.45F : static_cast<float>(std::max(-1.0, ball)));
+      }
+    }
+  }
+  const Isosurface surface(std::move(volume), 0.0);
+  ASSERT_LT(surface.value(Eigen::Vector3d::Constant(17.0)), 0.0);
+  ASSERT_GT(surface.value(Eigen::Vector3d::Constant(17.5)), 0.0);
+  SizingRequest request;
+  request.epsilon = 0.5;
+  request.delta = 0.3;
+  const Method& particles = method("particles");
+  Monitor monitor;
+  const TriangleMesh mesh = particles.mesh(MeshingTask(surface, request, Parameters(particles.parameters), 1), monitor);
+  EXPECT_EQ(euler_of(mesh), 4);
+  std::size_t near = 0;
+  for (const Eigen::Vector3d& x : mesh.vertices) near += (x - Eigen::Vector3d::Constant(17.5)).norm() < 1.0 ? 1 : 0;
+  EXPECT_GE(near, 12U);
 }
 
 }  // namespace
