@@ -39,7 +39,7 @@ void book(const Monitor& monitor, RunRecord& record) {
 Parameters parameters_of(const RunRequest& request) {
   const ParameterSchema& schema = method(request.method).parameters;
   Parameters parameters(schema);
-  for (const auto& [name, value] : request.parameters) parameters.set(schema, name, value);
+  for (const auto& [name, value] : *request.parameters) parameters.set(schema, name, value);
   return parameters;
 }
 

@@ -109,11 +109,13 @@ TEST_F(ClusterFaultsSlow, LosesNothingWhenTasksAndNodesFail) {
   become("7 done, 1 timeout, 1 out of memory, 1 missing");
   const auto before = records(results());
 
-  // Slurm's own limit is the shorter one: a signal first, upon which the cell is dropped.
-  submit_with("hang:sphere-particles-*-s2-*", {"--chunk", "1", "--", "--time=1"}, "submitted 3 of 10 cells");
+  // Slurm's own limit is the shorter one: a signal first, upon which the cell is dropped. Slurm looks every half minute
+  // and sends it up to that much early: of a task of one minute it could come while the program starts.
+  submit_with("hang:sphere-particles-*-s2-*", {"--chunk", "1", "--", "--time=2"}, "submitted 3 of 10 cells");
   ASSERT_TRUE(Cluster::drained()) << run_command({"squeue"}).out;
   EXPECT_EQ(count_starting(results(), "sphere-particles-l4-s2-"), 0U);
-  EXPECT_NE(text_of(results() / ".slurm/0002-0.log").find("isobench: stopped ("), std::string::npos);
+  const std::string log = text_of(results() / ".slurm/0002-0.log");
+  EXPECT_NE(log.find("isobench: stopped ("), std::string::npos) << log;
   EXPECT_NE(status().find("missing"), std::string::npos) << status();
 
   // A node dies while it is at it. Slurm itself would hand the task to the other one, there to hang again.

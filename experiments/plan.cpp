@@ -288,7 +288,7 @@ std::vector<RunRequest> make_plan(const Config& config) {
 std::string result_key(const RunRequest& r) {
   std::string key =
       fmt::format("dataset {} {}\nmethod {} {}\n", r.dataset, r.dataset_checksum, r.method, r.method_revision);
-  for (const auto& [name, value] : r.parameters) key += fmt::format("{} = {}\n", name, to_string(value));
+  for (const auto& [name, value] : *r.parameters) key += fmt::format("{} = {}\n", name, to_string(value));
   key += fmt::format("epsilon {} delta {} floor {} edge_length {} vertices {}\n", text(r.sizing.epsilon),
                      text(r.sizing.delta), r.sizing.floor, text(r.sizing.edge_length), text(r.sizing.vertices));
   if (!r.match_to.empty()) key += fmt::format("match {}\n", r.match_to);

@@ -13,6 +13,7 @@
 
 #include "datasets/test_folder.h"
 #include "methods/method.h"
+#include "reports/sample_records.h"
 
 namespace isobench {
 namespace {
@@ -51,7 +52,7 @@ TEST(Plan, IsTheGridWithOverrides) {
   }
   EXPECT_EQ(names.size(), plan.size());
   EXPECT_EQ(plan.front().label, "particles sweeps=5");
-  EXPECT_EQ(std::get<double>(plan.front().parameters.at("sweeps")), 5.0);
+  EXPECT_EQ(std::get<double>(plan.front().parameters->at("sweeps")), 5.0);
 }
 
 TEST(Plan, AnOverrideOfAnotherKindReplacesTheSizing) {
@@ -131,7 +132,7 @@ TEST(Plan, VariesOneThingAtATimeFromOneBase) {
                    }));
   for (const RunRequest& r : plan_of(ablation())) {
     const auto sweeps = static_cast<double>(around_the_default()[2]);
-    EXPECT_EQ(r.label == most, r.method == "particles" && r.parameters.at("sweeps") == ParameterValue(sweeps));
+    EXPECT_EQ(r.label == most, r.method == "particles" && r.parameters->at("sweeps") == ParameterValue(sweeps));
   }
 }
 
@@ -169,7 +170,7 @@ RunRequest sample() {
   request.dataset_checksum = "abc";
   request.method = "particles";
   request.label = "particles";
-  request.parameters = {{"sweeps", 60.0}, {"finish", true}};
+  request.parameters = ParameterValues{{"sweeps", 60.0}, {"finish", true}};
   request.sizing.epsilon = 0.5;
   request.sizing.delta = 0.3;
   return request;
@@ -190,8 +191,8 @@ TEST(RunName, HashesAllThatDeterminesTheResultAndNothingElse) {
       [](RunRequest& r) { r.dataset = "brain"; },
       [](RunRequest& r) { r.dataset_checksum = "abd"; },
       [](RunRequest& r) { r.method_revision = 2; },
-      [](RunRequest& r) { r.parameters["sweeps"] = 61.0; },
-      [](RunRequest& r) { r.parameters["finish"] = false; },
+      [](RunRequest& r) { set_parameter(r, "sweeps", 61.0); },
+      [](RunRequest& r) { set_parameter(r, "finish", false); },
       [](RunRequest& r) { r.sizing.epsilon = 0.5000000000000001; },
       [](RunRequest& r) { r.sizing.floor = 0.4; },
       [](RunRequest& r) { r.match_to = "sphere-particles-l2-s1-00000000"; },

@@ -151,7 +151,7 @@ RemeasureSummary remeasure(const fs::path& folder, Console& console) {
   const fs::path plan_path = folder / "plan.json";
   std::vector<RunRequest> plan = plan_from_json(read_text(plan_path), plan_path.string());
   std::transform(plan.begin(), plan.end(), plan.begin(), renamed);
-  write_text(plan_path, plan_to_json(plan));
+  write_text(plan_path, [&plan](std::ostream& file) { write_plan(file, plan); });
   console.clear();
   return remeasuring.summary;
 }

@@ -213,7 +213,7 @@ Store::Store(fs::path folder, const Config& config, const std::vector<RunRequest
     // Through a string: the source may be this very file, when a stored config is run again.
     write_text(folder_ / "published.toml", read_text(*config.published));
   }
-  write_text(folder_ / "plan.json", plan_to_json(plan));
+  write_text(folder_ / "plan.json", [&plan](std::ostream& file) { write_plan(file, plan); });
   write_text(folder_ / "config.toml", to_toml(config, "published.toml"));
 }
 

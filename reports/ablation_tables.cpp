@@ -29,9 +29,9 @@ std::optional<std::string> only_change(const RunRequest& base, const RunRequest&
     return std::nullopt;
   }
   std::optional<std::string> change;
-  for (const auto& [name, value] : other.parameters) {
-    const auto usual = base.parameters.find(name);
-    if (usual != base.parameters.end() && usual->second == value) continue;
+  for (const auto& [name, value] : *other.parameters) {
+    const auto usual = base.parameters->find(name);
+    if (usual != base.parameters->end() && usual->second == value) continue;
     if (change) return std::nullopt;
     change = fmt::format("{} = {}", name, to_string(value));
   }

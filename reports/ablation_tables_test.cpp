@@ -9,7 +9,7 @@ namespace {
 RunRecord changed(const std::string& dataset, const std::string& label, const std::string& parameter,
                   const ParameterValue& value) {
   RunRecord record = sample_record(dataset, "particles", label);
-  record.request.parameters[parameter] = value;
+  set_parameter(record.request, parameter, value);
   return record;
 }
 
@@ -54,7 +54,7 @@ TEST(AblationTables, NeedTwoChangesFromOneBase) {
   EXPECT_TRUE(ablation_tables(arrange(results)).empty());
   // Two parameters at once are no single choice.
   RunRecord both = changed("torus", "particles both", "finish", false);
-  both.request.parameters["sweeps"] = 20.0;
+  set_parameter(both.request, "sweeps", 20.0);
   results.records.push_back(both);
   EXPECT_TRUE(ablation_tables(arrange(results)).empty());
 }

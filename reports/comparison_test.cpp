@@ -33,7 +33,7 @@ TEST(Compare, SecondsMemoryAndCircumstancesAreNoDifference) {
     record.stages[0].wall_seconds = 8.0;
     record.started = "2027-01-02T03:04:05Z";
     record.environment.commit = "fedcba";
-    record.environment.libraries["VTK"] = "9.2.0";
+    record.environment.libraries = LibraryVersions{{"VTK", "9.2.0"}};
     record.environment.load = 3.0;
     record.notes = {"read from elsewhere"};
     record.dataset->source = "elsewhere";
@@ -64,14 +64,14 @@ TEST(Compare, EveryFigureCounts) {
   EXPECT_EQ(changed([](RunRecord& r) { r.measurement->valence.counts[5] = 6; }), "histogram valence/counts");
   EXPECT_EQ(changed([](RunRecord& r) { r.measurement->radius_ratio.histogram.add(0.75); }),
             "histogram radius_ratio/counts");
-  EXPECT_EQ(changed([](RunRecord& r) { r.counters["particles/splits"] = 8.0; }), "counter particles/splits");
+  EXPECT_EQ(changed([](RunRecord& r) { r.counters = {{"particles/splits", 8.0}}; }), "counter particles/splits");
   EXPECT_EQ(changed([](RunRecord& r) { r.traces["energy"][2] = 1.25; }), "trace energy");
   EXPECT_EQ(changed([](RunRecord& r) { r.traces.clear(); }), "trace energy");
   EXPECT_EQ(changed([](RunRecord& r) { r.mesh_checksum = "another"; }), "mesh_checksum");
   EXPECT_EQ(changed([](RunRecord& r) { r.sizing->largest = 5.0; }), "sizing largest");
   EXPECT_EQ(changed([](RunRecord& r) { r.dataset->isovalue = 0.75; }), "dataset isovalue");
   EXPECT_EQ(changed([](RunRecord& r) { r.dataset->lattice.direction(0, 0) = 0.5; }), "dataset direction/0");
-  EXPECT_EQ(changed([](RunRecord& r) { r.request.parameters["sweeps"] = 61.0; }), "request parameters/sweeps");
+  EXPECT_EQ(changed([](RunRecord& r) { set_parameter(r.request, "sweeps", 61.0); }), "request parameters/sweeps");
   EXPECT_EQ(changed([](RunRecord& r) { r.measurement->edges.over_h0_max = std::numeric_limits<double>::quiet_NaN(); }),
             "edge_over_h0_max");
 }

@@ -71,11 +71,11 @@ Environment environment() {
   here.dirty = git_dirty;
   here.compiler = std::string(ISOBENCH_COMPILER);
   here.build_type = ISOBENCH_BUILD_TYPE;
-  here.libraries = {{"VTK", ISOBENCH_VTK_VERSION},
-                    {"CGAL", ISOBENCH_CGAL_VERSION},
-                    {"Eigen", ISOBENCH_EIGEN_VERSION},
-                    {"TBB", ISOBENCH_TBB_VERSION},
-                    {"fmt", ISOBENCH_FMT_VERSION}};
+  here.libraries = LibraryVersions{{"VTK", ISOBENCH_VTK_VERSION},
+                                   {"CGAL", ISOBENCH_CGAL_VERSION},
+                                   {"Eigen", ISOBENCH_EIGEN_VERSION},
+                                   {"TBB", ISOBENCH_TBB_VERSION},
+                                   {"fmt", ISOBENCH_FMT_VERSION}};
   here.host = host_name();
   here.cpu = cpu_model();
   here.cores = usable_cores();

@@ -4,7 +4,11 @@
 #include <map>
 #include <string>
 
+#include "reports/shared.h"
+
 namespace isobench {
+
+using LibraryVersions = std::map<std::string, std::string>;  ///< name → version
 
 struct Environment {
   std::string version;  ///< of isobench
@@ -12,7 +16,7 @@ struct Environment {
   bool dirty = false;   ///< tracked files differed from that commit
   std::string compiler;
   std::string build_type;
-  std::map<std::string, std::string> libraries;  ///< name → version
+  Shared<LibraryVersions> libraries;
   std::string host;
   std::string cpu;
   int cores = 0;           ///< that this process may use

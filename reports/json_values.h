@@ -34,6 +34,7 @@ Integer integer(const Json& json) {
 template <class Integer>
 std::vector<Integer> integers(const Json& json) {
   std::vector<Integer> values;
+  values.reserve(json.size());  // thousands of records are held at once
   for (const Json& value : json) values.push_back(integer<Integer>(value));
   return values;
 }

@@ -34,7 +34,7 @@ class Facts {
 void add_request(const RunRequest& request, Facts& facts) {
   facts.add("method", fmt::format("{}, revision {}", request.method, request.method_revision));
   std::string parameters;
-  for (const auto& [name, value] : request.parameters) {
+  for (const auto& [name, value] : *request.parameters) {
     parameters += fmt::format("{}{} = {}", parameters.empty() ? "" : ", ", name, value_text(value));
   }
   facts.add("parameters", parameters);
@@ -64,7 +64,7 @@ void add_environment(const RunRecord& record, Facts& facts) {
             fmt::format("isobench {}, commit {}{}", here.version, here.commit, here.dirty ? ", with changes" : ""));
   facts.add("built by", here.compiler + ", " + here.build_type);
   std::string libraries;
-  for (const auto& [name, version] : here.libraries)
+  for (const auto& [name, version] : *here.libraries)
     libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
   facts.add("libraries", libraries);
   facts.add("machine", fmt::format("{} ({}), {} cores, {} threads, load {:.2f}", here.host, here.cpu, here.cores,

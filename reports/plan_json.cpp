@@ -1,4 +1,7 @@
 // plan.json, and a run's request within run.json.
+#include <map>
+#include <sstream>
+
 #include "datasets/names.h"
 #include "reports/json_values.h"
 
@@ -6,7 +9,7 @@ namespace isobench {
 
 namespace {
 
-Json parameters_to_json(const std::map<std::string, ParameterValue>& parameters) {
+Json parameters_to_json(const ParameterValues& parameters) {
   Json json = Json::object();
   for (const auto& [name, value] : parameters) {
     std::visit([&json, &key = name](const auto& v) { json[key] = v; }, value);
@@ -14,8 +17,8 @@ Json parameters_to_json(const std::map<std::string, ParameterValue>& parameters)
   return json;
 }
 
-std::map<std::string, ParameterValue> parameters_from_json(const Json& json) {
-  std::map<std::string, ParameterValue> parameters;
+ParameterValues parameters_from_json(const Json& json) {
+  ParameterValues parameters;
   for (const auto& [name, value] : json.items()) {
     if (value.is_boolean())
       parameters[name] = value.get<bool>();
@@ -36,7 +39,7 @@ Json request_to_json(const RunRequest& r) {
           {"method", r.method},
           {"method_revision", r.method_revision},
           {"label", r.label},
-          {"parameters", parameters_to_json(r.parameters)},
+          {"parameters", parameters_to_json(*r.parameters)},
           {"epsilon", number(r.sizing.epsilon)},
           {"delta", number(r.sizing.delta)},
           {"floor_voxels", number(r.sizing.floor)},
@@ -101,22 +104,36 @@ RunRequest request_from_json(const Json& json) {
   return r;
 }
 
+// Run by run: a hundred thousand parsed at once would take several times the memory of the plan.
+void write_plan(std::ostream& file, const std::vector<RunRequest>& plan) {
+  file << "{\n \"schema_version\": " << RunRecord::schema_version << ",\n \"runs\": [";
+  for (std::size_t n = 0; n < plan.size(); ++n) {
+    std::istringstream lines(text_of(request_to_json(plan[n])));
+    if (n > 0) file << ',';
+    for (std::string line; std::getline(lines, line);) file << "\n  " << line;
+  }
+  file << (plan.empty() ? "]\n}\n" : "\n ]\n}\n");
+}
+
 std::string plan_to_json(const std::vector<RunRequest>& plan) {
-  Json json = {{"schema_version", RunRecord::schema_version}, {"runs", Json::array()}};
-  for (const RunRequest& request : plan) json["runs"].push_back(request_to_json(request));
-  return text_of(json);
+  std::ostringstream text;
+  write_plan(text, plan);
+  return text.str();
 }
 
 std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin) {
   return located(origin, "plan", [&] {
     std::vector<RunRequest> plan;
+    // Most runs have the parameters of others. As text: 0.0 and -0.0 are equal, but not the same parameter.
+    std::map<std::string, Shared<ParameterValues>> parameters;
     bool runs = false;
     // Each run is taken over when it has been read and dropped from the parsed text, which of a hundred thousand would
     // take several times the memory of the plan.
     const auto take_over = [&](int depth, Json::parse_event_t event, Json& parsed) {
       if (depth == 1 && event == Json::parse_event_t::key) runs = parsed == "runs";
       if (!runs || depth != 2 || event != Json::parse_event_t::object_end) return true;
-      plan.push_back(request_from_json(parsed));
+      RunRequest& request = plan.emplace_back(request_from_json(parsed));
+      request.parameters = parameters.try_emplace(parsed.at("parameters").dump(), request.parameters).first->second;
       return false;
     };
     const Json json = Json::parse(text, take_over);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,8 +16,12 @@
 #include "methods/sizing/sizing_field.h"
 #include "metrics/measurement.h"
 #include "reports/environment.h"
+#include "reports/named_numbers.h"
+#include "reports/shared.h"
 
 namespace isobench {
+
+using ParameterValues = std::map<std::string, ParameterValue>;
 
 /// What one run was asked: a cell of an experiment's plan. All but label, limits, `alone`, `artefacts` and
 /// `aside` determines its name.
@@ -25,8 +31,8 @@ struct RunRequest {
   std::string dataset_checksum;
   std::string method;
   int method_revision = 1;
-  std::string label;                                 ///< tells apart two entries of one method
-  std::map<std::string, ParameterValue> parameters;  ///< complete: every parameter of the method
+  std::string label;                   ///< tells apart two entries of one method
+  Shared<ParameterValues> parameters;  ///< complete: every parameter of the method
   SizingRequest sizing;
   std::string match_to;  ///< the run whose number of vertices this one is brought to; "" where none is
   std::uint64_t seed = 1;
@@ -109,7 +115,7 @@ struct RunRecord {
   double peak_memory_mb = 0.0;   ///< of the process, or of a program that it ran, up to the finished mesh
 
   std::vector<StageTime> stages;
-  std::map<std::string, double> counters;
+  NamedNumbers counters;
   std::map<std::string, std::vector<double>> traces;
   std::vector<std::string> notes;
 };
@@ -127,10 +133,13 @@ std::string to_json(const Measurement& measurement);
 
 /// A plan: every cell of an experiment, as plan.json keeps it.
 std::string plan_to_json(const std::vector<RunRequest>& plan);
+void write_plan(std::ostream& file, const std::vector<RunRequest>& plan);
 std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin);
 
 /// Whole files. Writing goes to a temporary name beside the target and is renamed, so no reader sees a half.
 std::string read_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
+/// The same for what is too long to be held as one text.
+void write_text(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace isobench

@@ -15,9 +15,9 @@ Eigen::Vector3d vector_from_json(const Json& j) {
 
 Json environment_to_json(const Environment& e) {
   return {
-      {"version", e.version},       {"commit", e.commit},       {"dirty", e.dirty},         {"compiler", e.compiler},
-      {"build_type", e.build_type}, {"libraries", e.libraries}, {"host", e.host},           {"cpu", e.cpu},
-      {"cores", e.cores},           {"load", number(e.load)},   {"exclusive", e.exclusive}, {"job", e.job}};
+      {"version", e.version},       {"commit", e.commit},        {"dirty", e.dirty},         {"compiler", e.compiler},
+      {"build_type", e.build_type}, {"libraries", *e.libraries}, {"host", e.host},           {"cpu", e.cpu},
+      {"cores", e.cores},           {"load", number(e.load)},    {"exclusive", e.exclusive}, {"job", e.job}};
 }
 
 Environment environment_from_json(const Json& json) {
@@ -27,7 +27,7 @@ Environment environment_from_json(const Json& json) {
   e.dirty = json.at("dirty").get<bool>();
   e.compiler = json.at("compiler").get<std::string>();
   e.build_type = json.at("build_type").get<std::string>();
-  e.libraries = json.at("libraries").get<std::map<std::string, std::string>>();
+  e.libraries = json.at("libraries").get<LibraryVersions>();
   e.host = json.at("host").get<std::string>();
   e.cpu = json.at("cpu").get<std::string>();
   e.cores = integer<int>(json.at("cores"));
@@ -134,11 +134,12 @@ void cost_from_json(const Json& json, RunRecord& record) {
   read(json.at("seconds_method"), record.seconds_method);
   read(json.at("seconds_total"), record.seconds_total);
   read(json.at("peak_memory_mb"), record.peak_memory_mb);
+  record.stages.reserve(json.at("stages").size());
   for (const Json& stage : json.at("stages")) {
     StageTime time{stage.at("name").get<std::string>(), 0.0, 0.0};
     read(stage.at("wall"), time.wall_seconds);
     read(stage.at("cpu"), time.cpu_seconds);
-    record.stages.push_back(time);
+    record.stages.push_back(std::move(time));
   }
 }
 
@@ -223,7 +224,9 @@ RunRecord record_from(const Json& json) {
     read(sizing.at("largest"), record.sizing->largest);
   }
   cost_from_json(json.at("cost"), record);
-  for (const auto& [name, value] : json.at("counters").items()) read(value, record.counters[name]);
+  std::map<std::string, double> counters;
+  for (const auto& [name, value] : json.at("counters").items()) read(value, counters[name]);
+  record.counters = counters;
   record.notes = json.at("notes").get<std::vector<std::string>>();
   record.mesh_checksum = json.value("mesh_checksum", "");
   if (json.contains("measured_again")) {
@@ -235,7 +238,9 @@ RunRecord record_from(const Json& json) {
     record.measurement = measurement_from_json(json.at("figures"), json.at("histograms"));
   }
   for (const auto& [name, values] : json.at("traces").items()) {
-    for (const Json& value : values) read(value, record.traces[name].emplace_back());
+    std::vector<double>& trace = record.traces[name];
+    trace.reserve(values.size());
+    for (const Json& value : values) read(value, trace.emplace_back());
   }
   return record;
 }

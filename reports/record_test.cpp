@@ -116,6 +116,22 @@ TEST(Plan, ComesBackWhole) {
   ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back[1].dataset, "brain");
   EXPECT_EQ(plan_to_json(back), text);
+  // Written run by run, it is what the library would write of the whole.
+  for (std::size_t runs = 0; runs <= plan.size(); ++runs) {
+    const std::string part = plan_to_json({plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(runs)});
+    EXPECT_EQ(nlohmann::ordered_json::parse(part).dump(1) + "\n", part);
+  }
+}
+
+TEST(Plan, HoldsTheParametersOfItsRunsOnce) {
+  std::vector<RunRequest> plan(4, sample_record("skull", "particles").request);
+  set_parameter(plan[1], "sweeps", 0.0);
+  set_parameter(plan[2], "sweeps", -0.0);  // equal, and another name of the run all the same
+  const std::string text = plan_to_json(plan);
+  const std::vector<RunRequest> back = plan_from_json(text, "plan.json");
+  EXPECT_EQ(&*back[3].parameters, &*back[0].parameters);
+  EXPECT_NE(&*back[2].parameters, &*back[1].parameters);
+  EXPECT_EQ(plan_to_json(back), text);
 }
 
 TEST(Environment, SaysWhereThisRuns) {
@@ -124,7 +140,8 @@ TEST(Environment, SaysWhereThisRuns) {
   EXPECT_GE(here.cores, 1);
   EXPECT_FALSE(here.cpu.empty());
   EXPECT_FALSE(here.compiler.empty());
-  for (const char* name : {"VTK", "CGAL", "Eigen", "TBB", "fmt"}) EXPECT_FALSE(here.libraries.at(name).empty()) << name;
+  for (const char* name : {"VTK", "CGAL", "Eigen", "TBB", "fmt"})
+    EXPECT_FALSE(here.libraries->at(name).empty()) << name;
 }
 
 TEST(RecordBadInput, NamesAndNumbersThatWouldDoHarm) {

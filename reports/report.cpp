@@ -45,7 +45,7 @@ Report write_report(const std::filesystem::path& folder, ReportParts parts) {
   const Results results = load_results(folder);
   Report report;
   report.tables = markdown_tables(results);
-  write_text(folder / "results.csv", results_csv(results.records));
+  write_text(folder / "results.csv", [&results](std::ostream& file) { write_results_csv(file, results.records); });
   write_text(folder / "results.columns.md", columns_text());
   write_text(folder / "tables.md", report.tables);
   write_text(folder / "tables.tex", latex_tables(results));

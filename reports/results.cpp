@@ -32,6 +32,20 @@ Found find(const fs::path& folder, const RunRequest& request) {
   }
 }
 
+// What records have in common with each other is held once: of a hundred thousand it is most of what there is.
+class Common {
+ public:
+  void share(RunRecord& record, const RunRequest& planned) {
+    if (record.request.parameters == planned.parameters) record.request.parameters = planned.parameters;
+    record.environment.libraries = libraries_.first_of(record.environment.libraries);
+    record.counters.share_names(names_);
+  }
+
+ private:
+  SharedPool<LibraryVersions> libraries_;
+  SharedPool<NamedNumbers::Names> names_;
+};
+
 // A folder without its config still has its runs: the name will do.
 std::string title_of(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "config.toml")) return name;
@@ -53,15 +67,18 @@ Results load_results(const fs::path& folder) {
   results.records.reserve(plan.size());
   // Side by side, but a hundred thousand records are not to be held twice.
   constexpr std::size_t batch = 1024;
+  Common common;
   std::vector<Found> found(std::min(batch, plan.size()));
   for (std::size_t start = 0; start < plan.size(); start += batch) {
     const std::size_t count = std::min(batch, plan.size() - start);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) { found[n] = find(folder, plan[start + n]); });
     for (std::size_t n = 0; n < count; ++n) {
-      if (found[n].record)
+      if (found[n].record) {
+        common.share(*found[n].record, plan[start + n]);
         results.records.push_back(std::move(*found[n].record));
-      else
+      } else {
         results.missing.push_back(std::move(plan[start + n]));
+      }
       if (!found[n].problem.empty()) results.unreadable.push_back(std::move(found[n].problem));
       plan[start + n] = {};  // its record says the same: both at once would be too much
     }

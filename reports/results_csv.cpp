@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "reports/figures.h"
 
@@ -25,7 +26,7 @@ std::string csv_field(const std::string& field) {
   return result + "\"";
 }
 
-std::string parameters_text(const std::map<std::string, ParameterValue>& parameters) {
+std::string parameters_text(const ParameterValues& parameters) {
   std::string result;
   for (const auto& [name, value] : parameters) {
     result += (result.empty() ? "" : ";") + name + "=" + to_string(value);
@@ -39,7 +40,7 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
                                             {"dataset", request.dataset},
                                             {"method", request.method},
                                             {"label", request.label},
-                                            {"parameters", parameters_text(request.parameters)},
+                                            {"parameters", parameters_text(*request.parameters)},
                                             {"epsilon", text(request.sizing.epsilon)},
                                             {"delta", text(request.sizing.delta)},
                                             {"edge_length", text(request.sizing.edge_length)},
@@ -75,13 +76,13 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
 
 }  // namespace
 
-std::string results_csv(const std::vector<RunRecord>& records) {
-  std::string csv;
+void write_results_csv(std::ostream& file, const std::vector<RunRecord>& records) {
+  bool first_name = true;
   for (const CsvColumn& column : csv_columns()) {
-    if (!csv.empty()) csv += ",";
-    csv += column.name;
+    file << (first_name ? "" : ",") << column.name;
+    first_name = false;
   }
-  csv += "\n";
+  file << '\n';
   for (const RunRecord& record : records) {
     std::map<std::string, std::string> row = fields(record);
     std::string line;
@@ -91,9 +92,14 @@ std::string results_csv(const std::vector<RunRecord>& records) {
       line += csv_field(row[column.name]);
       first = false;
     }
-    csv += line + "\n";
+    file << line << '\n';
   }
-  return csv;
+}
+
+std::string results_csv(const std::vector<RunRecord>& records) {
+  std::ostringstream text;
+  write_results_csv(text, records);
+  return text.str();
 }
 
 }  // namespace isobench

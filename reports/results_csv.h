@@ -1,6 +1,7 @@
 // results.csv: tidy, one row a run, unrounded (percent 0..100, seconds wall, lengths mm).
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ const std::vector<CsvColumn>& csv_columns();
 std::string columns_text();
 
 /// Header and one row a record; a figure that a run does not have is an empty cell. Numbers read back to the same bits.
+void write_results_csv(std::ostream& file, const std::vector<RunRecord>& records);
 std::string results_csv(const std::vector<RunRecord>& records);
 
 }  // namespace isobench

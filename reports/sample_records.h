@@ -7,6 +7,13 @@
 
 namespace isobench {
 
+/// One parameter changed, the others as they are.
+inline void set_parameter(RunRequest& request, const std::string& name, const ParameterValue& value) {
+  ParameterValues all = *request.parameters;
+  all[name] = value;
+  request.parameters = std::move(all);
+}
+
 inline RunRecord sample_record(const std::string& dataset, const std::string& method, const std::string& label = "") {
   RunRecord record;
   RunRequest& request = record.request;
@@ -15,7 +22,7 @@ inline RunRecord sample_record(const std::string& dataset, const std::string& me
   request.dataset_checksum = "0123";
   request.method = method;
   request.label = label.empty() ? method : label;
-  request.parameters = {{"finish", true}, {"sweeps", 60.0}, {"start", std::string("grid, fine")}};
+  request.parameters = ParameterValues{{"finish", true}, {"sweeps", 60.0}, {"start", std::string("grid, fine")}};
   request.sizing.epsilon = 0.5;
   request.sizing.delta = 0.3;
   request.limit_minutes = 20.0;
@@ -23,7 +30,7 @@ inline RunRecord sample_record(const std::string& dataset, const std::string& me
   record.started = "2026-01-02T03:04:05Z";
   record.threads = 2;
   record.environment.commit = "abcdef";
-  record.environment.libraries = {{"VTK", "9.1.0"}};
+  record.environment.libraries = LibraryVersions{{"VTK", "9.1.0"}};
   DatasetRecord& data = record.dataset.emplace();
   data.title = "A " + dataset;
   data.source = "phantom";
