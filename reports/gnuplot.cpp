@@ -130,12 +130,12 @@ std::string gnuplot_script(const Plot& plot) {
       "set encoding utf8\n"
       "set terminal svg size 720,{1} noenhanced font 'sans-serif,14' background '#ffffff'\n"
       "set output '{0}.svg'\n",
-      plot.name, 400 + 20 * rows);
+      plot.name, 420 + 20 * rows);
   text += "set title " + quoted(plot.title) + "\n";
   text += "set xlabel " + quoted(plot.x_label) + "\nset ylabel " + quoted(plot.y_label) + "\n";
   text +=
       "set border 3 linecolor rgb '#555555'\nset tics nomirror out\nset grid linecolor rgb '#dddddd' dashtype 1\n"
-      "set key outside below center horizontal Left reverse samplen 2\n";
+      "set key outside below center horizontal Left reverse samplen 2 height 1\n";
   text += ranges(plot) + data_blocks(plot) + "plot ";
   for (std::size_t n = 0; n < plot.series.size(); ++n) {
     const Series& series = plot.series[n];
