@@ -254,7 +254,7 @@ TEST(Runner, TwoConfigsOfOneNameDoNotMix) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   ASSERT_EQ(run_program(folder.path(), {"run", "two.toml", "--only", "slab/*"}).code, 0);
-  folder.write("two.toml", std::string(two_datasets) + "[reference]\nk = 3\n");
+  folder.write("two.toml", std::string(two_datasets) + "[reference]\nk = 4\n");
   const Outcome refused = run_program(folder.path(), {"run", "two.toml"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("another config"), std::string::npos) << refused.err;
