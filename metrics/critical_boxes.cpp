@@ -42,11 +42,8 @@ CriticalBox box_around(const CriticalPoint& point, const Isosurface& surface) {
 }  // namespace
 
 std::vector<CriticalBox> critical_boxes(const Isosurface& surface, double reach) {
-  std::vector<CriticalPoint> points = critical_points(surface, Band(surface, 2), reach * surface.voxel());
-  const std::vector<CriticalPoint> hidden = hidden_extrema(surface);
-  points.insert(points.end(), hidden.begin(), hidden.end());
   std::vector<CriticalBox> boxes;
-  for (const CriticalPoint& point : points) {
+  for (const CriticalPoint& point : critical_points(surface, Band(surface, 2), reach * surface.voxel())) {
     CriticalBox box = box_around(point, surface);
     // A box that has grown may meet others that it did not meet before.
     for (auto other = boxes.begin(); other != boxes.end();) {

@@ -140,13 +140,9 @@ long inside_euler_of_border(const SignLattice& signs) {
     return euler;
   };
   long euler = 0;
-  for (int z = 0; z < size[2]; ++z) {
-    for (int y = 0; y < size[1]; ++y) {
-      const bool edge = y == 0 || y == size[1] - 1 || z == 0 || z == size[2] - 1;
-      const int step = edge ? 1 : size[0] - 1;
-      for (int x = 0; x < size[0]; x += step) euler += at_node({x, y, z});
-    }
-  }
+  for_each_border_node({{0, 0, 0}, {size[0] - 1, size[1] - 1, size[2] - 1}}, [&](int x, int y, int z) {
+    euler += at_node({x, y, z});
+  });
   return euler;
 }
 

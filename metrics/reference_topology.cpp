@@ -46,18 +46,6 @@ NodeBox scaled(const NodeBox& box, int k) {
   return result;
 }
 
-/// Calls visit(x, y, z) for the nodes on the border of a box.
-template <class Visit>
-void for_each_border_node(const NodeBox& box, Visit visit) {
-  for (int z = box.low[2]; z <= box.high[2]; ++z) {
-    for (int y = box.low[1]; y <= box.high[1]; ++y) {
-      const bool face = y == box.low[1] || y == box.high[1] || z == box.low[2] || z == box.high[2];
-      const int step = face ? 1 : box.high[0] - box.low[0];
-      for (int x = box.low[0]; x <= box.high[0]; x += step) visit(x, y, z);
-    }
-  }
-}
-
 /// Joins what the regions of a box connect outside it; how many lie wholly within. A region that reaches the border
 /// between the coarse nodes there is the tip of one outside, and counted there.
 std::size_t join_over(const SignLattice& fine, const NodeBox& box, int factor, KuhnRegions& coarse, Monitor& monitor) {

@@ -6,7 +6,8 @@
 // surface than its nodes, which no k cures for good. Only a critical point of F can be of the second kind, and these
 // are found; around each, the count is made anew on a lattice finer than its distance to the surface. χ adds up over
 // parts of space, χ(A ∪ B) = χ(A) + χ(B) − χ(A ∩ B), and so the fine count takes the place of the coarse one; regions
-// are joined over the boxes' borders. On real volumes this agrees from k = 3 on, where the plain count does not at 12.
+// are joined over the boxes' borders. On four real volumes it is the same at k = 3 and 4; of one, the plain count was
+// still moving at 12.
 #pragma once
 
 #include <cstddef>

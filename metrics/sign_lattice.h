@@ -47,6 +47,18 @@ struct NodeBox {
   std::array<int, 3> high{};
 };
 
+/// Calls visit(x, y, z) for the nodes on the border of a box, whichever lattice its corners are nodes of.
+template <class Visit>
+void for_each_border_node(const NodeBox& box, Visit visit) {
+  for (int z = box.low[2]; z <= box.high[2]; ++z) {
+    for (int y = box.low[1]; y <= box.high[1]; ++y) {
+      const bool face = y == box.low[1] || y == box.high[1] || z == box.low[2] || z == box.high[2];
+      const int step = face ? 1 : box.high[0] - box.low[0];
+      for (int x = box.low[0]; x <= box.high[0]; x += step) visit(x, y, z);
+    }
+  }
+}
+
 /// The signs of the surface's own function at the nodes i/k (k ≥ 1) of its lattice, k(n − 1) + 1 along each axis, with
 /// the kernel that its values use; inside is f > 0. The outermost two layers of nodes count as outside.
 /// Separable: four multiply-adds a node, with all threads; memory is the bits and a few slabs a thread.

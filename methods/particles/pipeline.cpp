@@ -85,18 +85,6 @@ void show_floor_places(const std::vector<CriticalPoint>& points, double floor, d
   if (monitor.keeps_artefacts()) monitor.artefact("floor-places", std::move(places));
 }
 
-/// Adds what no lattice of nodes shows, however large it is against the floor: without seeds there, it would be lost.
-void add_hidden(const Isosurface& surface, std::vector<CriticalPoint>& points) {
-  const std::size_t known = points.size();
-  for (const CriticalPoint& extremum : hidden_extrema(surface)) {
-    const auto is_same = [&](const CriticalPoint& other) {
-      return (other.position - extremum.position).norm() < 1e-3 * surface.voxel();
-    };
-    if (std::none_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(known), is_same))
-      points.push_back(extremum);
-  }
-}
-
 /// Where the topology is decided by features smaller than the floor.
 std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField& field, Monitor& monitor) {
   if (task.sizing.uniform()) return std::nullopt;
@@ -105,7 +93,6 @@ std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField
   const double epsilon = *task.sizing.epsilon;
   std::vector<CriticalPoint> points =
       critical_points(task.surface, *field.band(), field.floor_length() / (2.0 * epsilon));
-  add_hidden(task.surface, points);
   const double least = std::min(field.floor_length(), task.parameters.number("critical_floor") * voxel);
   show_floor_places(points, field.floor_length(), epsilon, least, monitor);
   if (!(least < field.floor_length())) return std::nullopt;
@@ -236,102 +223,6 @@ TriangleMesh close(const MeshingTask& task, const Spacing& spacing, const Triang
 }
 
 }  // namespace
-
-ParameterSchema pipeline_parameters(const Preset& preset) {
-  const double none = std::numeric_limits<double>::infinity();
-  const auto stage = [none](const char* name, const std::string& usual, const char* what,
-                            std::vector<std::string> choices) {
-    return ParameterSpec{name, usual, "", what, -none, none, std::move(choices), false};
-  };
-  return {
-      stage("medial_axis", preset.medial_axis, "where feature sizes come from", {"shrinking-balls", "foot-points"}),
-      stage("axis_ends", "curvature-centres",
-            "of foot-points: where the axis ends, taken from the surface's curvature or left out as published",
-            {"left-out", "curvature-centres"}),
-      {"axis_halvings",
-       2.0,
-       "",
-       "of foot-points: how often the lattice that they are sought from is halved near the surface; 0 as published",
-       0.0,
-       3.0,
-       {},
-       true},
-      stage("sizing_nodes", preset.sizing_nodes, "where h0 is computed: on the surface near lattice nodes, or at nodes",
-            {"projected", "bounding"}),
-      stage("limiter", preset.limiter, "how the sizing's gradient is limited", {"fast-iterative", "iteration"}),
-      stage("seeds", preset.seeds, "where particles start", {"elimination", "marching-cubes"}),
-      stage("relaxation", preset.relaxation, "how particles move, split and vanish", {"newton", "gauss-seidel"}),
-      stage("surface", preset.surface, "what closes the particles", {"labelled-delaunay", "tight-cocone"}),
-      stage("normals", "poles", "of tight-cocone: from the Voronoi diagram or from F", {"poles", "gradient"}),
-      {"cure",
-       preset.cure,
-       "",
-       "of labelled-delaunay: rounds, at most, in which particles are added where its topology is not the surface's",
-       0.0,
-       100.0,
-       {},
-       true},
-      {"finish",
-       preset.finish,
-       "",
-       "rounds in which the mesh's valences and shapes are made good; 0 leaves it as it was closed",
-       0.0,
-       100.0,
-       {},
-       true},
-      {"gradation",
-       preset.gradation,
-       "",
-       "a larger delta is brought down to this one: neighbours of too different size cannot all have good triangles",
-       0.05,
-       100.0,
-       {},
-       false},
-      {"critical_floor",
-       preset.critical_floor,
-       "voxels",
-       "near critical points of F that are closer to the surface than the floor, sizes go down to this; from the floor "
-       "on: not",
-       0.001,
-       1000.0,
-       {},
-       false},
-      {"contraction",
-       1.5,
-       "",
-       "g: adaptive spacing is h/g, so that even the longest edges stay below h0",
-       1.0,
-       4.0,
-       {},
-       false},
-      {"candidates",
-       2.0,
-       "per particle",
-       "of elimination: random candidates that it starts from",
-       1.5,
-       20.0,
-       {},
-       false},
-      {"sweeps", 40.0, "", "of newton: relaxation sweeps in all", 0.0, 10000.0, {}, true},
-      {"rounds",
-       3.0,
-       "",
-       "of newton: population controls, spread over the first half of the sweeps",
-       0.0,
-       100.0,
-       {},
-       true},
-      {"split_below",
-       0.6,
-       "ideal energy",
-       "of newton: a particle with less energy gets a neighbour in its widest gap",
-       0.0,
-       1.0,
-       {},
-       false},
-      {"delete_above", 1.6, "ideal energy", "of newton: a particle with more energy is deleted", 1.0, 100.0, {}, false},
-  };
-}
 
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   const auto field = sizing_field(task, monitor);

@@ -130,25 +130,10 @@ std::vector<CriticalPoint> points_in(const Isosurface& surface, const std::array
   return found;
 }
 
-/// Of those found cell by cell, each once: one on the face between two cells may be found from both.
-std::vector<CriticalPoint> joined(const std::vector<std::vector<CriticalPoint>>& found, double voxel) {
-  const double same = 1e-4 * voxel;
-  std::vector<CriticalPoint> all;
-  for (const auto& in_cell : found) {
-    for (const CriticalPoint& point : in_cell) {
-      const bool known = std::any_of(all.begin(), all.end(), [&](const CriticalPoint& other) {
-        return (other.position - point.position).norm() < same;
-      });
-      if (!known) all.push_back(point);
-    }
-  }
-  return all;
-}
+using InCells = std::vector<std::vector<CriticalPoint>>;
 
-}  // namespace
-
-std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach) {
-  std::vector<std::vector<CriticalPoint>> found(band.size());
+InCells near_the_surface(const Isosurface& surface, const Band& band, double reach) {
+  InCells found(band.size());
   const std::array<int, 3>& size = surface.lattice().size;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, band.size(), 512), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
@@ -157,12 +142,12 @@ std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band
       found[n] = points_in(surface, band.node(n), reach);
     }
   });
-  return joined(found, surface.voxel());
+  return found;
 }
 
-std::vector<CriticalPoint> hidden_extrema(const Isosurface& surface) {
+InCells extrema_of_hidden_cells(const Isosurface& surface) {
   const std::vector<std::array<int, 3>> cells = hidden_cells(surface);
-  std::vector<std::vector<CriticalPoint>> found(cells.size());
+  InCells found(cells.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 64), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
       found[n] = points_in(surface, cells[n], std::numeric_limits<double>::infinity());
@@ -172,7 +157,29 @@ std::vector<CriticalPoint> hidden_extrema(const Isosurface& surface) {
       });
     }
   });
-  return joined(found, surface.voxel());
+  return found;
+}
+
+/// Adds each that is not there yet: one on the face between two cells may be found from both.
+void add(const InCells& found, double voxel, std::vector<CriticalPoint>& all) {
+  const double same = 1e-4 * voxel;
+  for (const auto& in_cell : found) {
+    for (const CriticalPoint& point : in_cell) {
+      const bool known = std::any_of(all.begin(), all.end(), [&](const CriticalPoint& other) {
+        return (other.position - point.position).norm() < same;
+      });
+      if (!known) all.push_back(point);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach) {
+  std::vector<CriticalPoint> all;
+  add(near_the_surface(surface, band, reach), surface.voxel(), all);
+  add(extrema_of_hidden_cells(surface), surface.voxel(), all);
+  return all;
 }
 
 }  // namespace isobench

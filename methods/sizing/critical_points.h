@@ -20,13 +20,11 @@ struct CriticalPoint {
   int falling = 0;  ///< negative eigenvalues: 0 a minimum of f, 1 and 2 saddles, 3 a maximum
 };
 
-/// Those whose distance is below `reach` (mm), in the cells whose lowest corner is in the band; in the band's order.
+/// Those whose distance is below `reach` (mm), in the cells whose lowest corner is in the band, in the band's order;
+/// and after them, at any distance and wherever they are, the peaks above and the pits below F = c of hidden cells
+/// (hidden_cells.h): a speck or cavity that no node shows has one, as has the tip of what reaches into such a cell.
 /// Newton's method from the middle of each cell, and from those of its eighths where the first step stays near.
 /// Multi-threaded; the result does not depend on the number of threads. Cost: about 1 µs of one core a band node.
 std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach);
-
-/// The peaks above and the pits below F = c of hidden cells (hidden_cells.h): where a node-free speck or cavity is.
-/// Also the tips of what reaches into such a cell from outside. Multi-threaded, the same for any number of threads.
-std::vector<CriticalPoint> hidden_extrema(const Isosurface& surface);
 
 }  // namespace isobench
