@@ -48,7 +48,7 @@ void Monitor::progress(double fraction) {
 }
 
 void Monitor::check() const {
-  if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
+  if (is_cancelled()) throw Cancelled();
 }
 
 double Monitor::seconds(const std::string& name) const {

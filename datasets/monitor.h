@@ -63,6 +63,8 @@ class Monitor {
   void progress(double fraction);
   /// Throws Cancelled if cancel() was called; cheap.
   void check() const;
+  /// For what must not be left by an exception.
+  bool is_cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   /// May be called from a signal handler or another thread.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 

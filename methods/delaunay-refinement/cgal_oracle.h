@@ -9,7 +9,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "datasets/error.h"
 #include "methods/delaunay-refinement/crossing.h"
 #include "methods/delaunay-refinement/refinement.h"
 
@@ -47,11 +46,7 @@ class Dual {
  private:
   void check() const {
     if (problem_->stop == nullptr) return problem_->monitor.check();
-    try {
-      problem_->monitor.check();
-    } catch (const Cancelled&) {
-      problem_->stop->store(true);
-    }
+    if (problem_->monitor.is_cancelled()) problem_->stop->store(true);
   }
 
   std::optional<Kernel::Point_3> between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
