@@ -8,8 +8,8 @@
 namespace isobench {
 namespace {
 
-const std::string head = "title = \"T\"\nisovalue = 2.5\n";
-const std::string data = "[data]\nfiles = [ { name = \"v.nrrd\" } ]\n";
+const std::string manifest_head = "title = \"T\"\nisovalue = 2.5\n";
+const std::string manifest_data = "[data]\nfiles = [ { name = \"v.nrrd\" } ]\n";
 
 Manifest parse(const std::string& text) {
   const TestFolder folder;
@@ -55,21 +55,25 @@ TEST(Manifest, SaysFilesStepsAndSurface) {
 }
 
 TEST(Manifest, ErrorsNameTheLineAndTheNearestName) {
-  expect_usage_error(head + "isovalu = 3\n" + data, 3, "isovalue");
-  expect_usage_error(head + "prepare = [ { step = \"gausian\", sigma = 1 } ]\n" + data, 3, "gaussian");
-  expect_usage_error(head + "prepare = [ { step = \"gaussian\", sigmas = 1 } ]\n" + data, 3, "sigma");
-  expect_usage_error(head + "prepare = [ { step = \"gaussian\", sigma = 0 } ]\n" + data, 3, "> 0");
-  expect_usage_error(head + "prepare = [ { step = \"gaussian\", sigma = [1, 2] } ]\n" + data, 3, "three");
-  expect_usage_error(head + "prepare = [ { step = \"pad\", voxels = -1 } ]\n" + data, 3, "at least 0");
-  expect_usage_error(head + "prepare = [ { step = \"close-border\" } ]\n" + data, 3, "minimum");
-  expect_usage_error(head + "prepare = [ { step = \"close-border\", to = \"maximum\" } ]\n" + data, 3, "minimum");
-  expect_usage_error(head + "inside = \"abov\"\n" + data, 3, "above");
-  expect_usage_error(head + "kernel = \"b-spline\"\n" + data, 3, "bspline");
-  expect_usage_error(head + "[phantom]\nname = \"spere\"\nnodes = 64\n", 2, "isovalue");
+  expect_usage_error(manifest_head + "isovalu = 3\n" + manifest_data, 3, "isovalue");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gausian\", sigma = 1 } ]\n" + manifest_data, 3,
+                     "gaussian");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gaussian\", sigmas = 1 } ]\n" + manifest_data, 3, "sigma");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gaussian\", sigma = 0 } ]\n" + manifest_data, 3, "> 0");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gaussian\", sigma = [1, 2] } ]\n" + manifest_data, 3,
+                     "three");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"pad\", voxels = -1 } ]\n" + manifest_data, 3,
+                     "at least 0");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\" } ]\n" + manifest_data, 3, "minimum");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\", to = \"maximum\" } ]\n" + manifest_data, 3,
+                     "minimum");
+  expect_usage_error(manifest_head + "inside = \"abov\"\n" + manifest_data, 3, "above");
+  expect_usage_error(manifest_head + "kernel = \"b-spline\"\n" + manifest_data, 3, "bspline");
+  expect_usage_error(manifest_head + "[phantom]\nname = \"spere\"\nnodes = 64\n", 2, "isovalue");
   expect_usage_error("title = \"T\"\n[phantom]\nname = \"spere\"\nnodes = 64\n", 3, "sphere");
   expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 3\n", 4, "at least");
-  expect_usage_error("title = \"T\"\n" + data, 1, "isovalue");
-  expect_usage_error(head, 1, "[data]");
+  expect_usage_error("title = \"T\"\n" + manifest_data, 1, "isovalue");
+  expect_usage_error(manifest_head, 1, "[data]");
 }
 
 TEST(Manifest, APhantomsOwnLengthsMayBeStated) {
@@ -86,43 +90,46 @@ TEST(Manifest, APhantomsOwnLengthsMayBeStated) {
 }
 
 TEST(Manifest, RefusesFilesThatCouldDoHarm) {
-  expect_usage_error(head + "[data]\nfiles = [ { name = \"../v.nrrd\" } ]\n", 4, "..");
-  expect_usage_error(head + "[data]\nfiles = [ { name = \"/etc/v.nrrd\" } ]\n", 4, "relative");
-  expect_usage_error(head + "[data]\naddress = \"https://example.org/\"\nfiles = [ { name = \"v.nrrd\" } ]\n", 5,
-                     "sha256");
-  expect_usage_error(head + "[data]\nfiles = [ { name = \"v.nrrd\", sha256 = \"12\" } ]\n", 4, "64");
-  expect_usage_error(head + "[data]\nfiles = []\n", 3, "at least one");
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"../v.nrrd\" } ]\n", 4, "..");
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"/etc/v.nrrd\" } ]\n", 4, "relative");
+  expect_usage_error(manifest_head + "[data]\naddress = \"https://example.org/\"\nfiles = [ { name = \"v.nrrd\" } ]\n",
+                     5, "sha256");
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"v.nrrd\", sha256 = \"12\" } ]\n", 4, "64");
+  expect_usage_error(manifest_head + "[data]\nfiles = []\n", 3, "at least one");
 }
 
 TEST(ManifestChecksum, CoversAllThatDecidesTheResultAndNothingElse) {
   const std::string steps = "prepare = [ { step = \"gaussian\", sigma = 1.5 } ]\n";
   const auto sum = [](const std::string& text) { return manifest_checksum(parse(text), {"s"}); };
-  const std::string reference = sum(head + steps + data);
-  EXPECT_EQ(sum("licence = \"other\"\nsource = \"x\"\n" + head + steps + data), reference);
-  EXPECT_NE(sum(head + data), reference);
-  EXPECT_NE(sum(head + "prepare = [ { step = \"gaussian\", sigma = 1.500001 } ]\n" + data), reference);
-  EXPECT_NE(sum("title = \"T\"\nisovalue = 2.500001\n" + steps + data), reference);
-  EXPECT_NE(sum(head + "inside = \"below\"\n" + steps + data), reference);
-  EXPECT_NE(sum(head + "kernel = \"catmull-rom\"\n" + steps + data), reference);
-  EXPECT_NE(manifest_checksum(parse(head + steps + data), {"t"}), reference);
+  const std::string reference = sum(manifest_head + steps + manifest_data);
+  EXPECT_EQ(sum("licence = \"other\"\nsource = \"x\"\n" + manifest_head + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "prepare = [ { step = \"gaussian\", sigma = 1.500001 } ]\n" + manifest_data),
+            reference);
+  EXPECT_NE(sum("title = \"T\"\nisovalue = 2.500001\n" + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "inside = \"below\"\n" + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "kernel = \"catmull-rom\"\n" + steps + manifest_data), reference);
+  EXPECT_NE(manifest_checksum(parse(manifest_head + steps + manifest_data), {"t"}), reference);
 }
 
 TEST(Manifest, WhatGoesToOtherProgramsIsNoOptionOfTheirs) {
   const std::string sum = "sha256 = \"" + std::string(64, '0') + "\"";
   const auto packaged = [&](const std::string& package, const std::string& archive, const std::string& member) {
-    return head + "[data]\npackage = \"" + package + "\"\narchive = \"" + archive +
+    return manifest_head + "[data]\npackage = \"" + package + "\"\narchive = \"" + archive +
            "\"\nfiles = [ { name = \"v.nrrd\", " + sum + ", member = \"" + member + "\" } ]\n";
   };
   EXPECT_EQ(parse(packaged("libcgal-demo", "a.tar.gz", "m/v.nrrd")).package->archive, "a.tar.gz");
   expect_usage_error(packaged("--option=x", "a.tar.gz", "m"), 4, "'--option=x' is not the name of a Debian package");
   expect_usage_error(packaged("libcgal-demo", "/etc/a.tar.gz", "m"), 5, "relative");
   expect_usage_error(packaged("libcgal-demo", "a.tar.gz", "--to-command=x"), 6, "cannot be the path of a file");
-  expect_usage_error(head + "[data]\nfiles = [ { name = \"" + std::string(300, 'n') + "\" } ]\n", 4,
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"" + std::string(300, 'n') + "\" } ]\n", 4,
                      "cannot be the path");
 }
 
 TEST(Manifest, NumbersBeyondWhatCanBeDoneAreRefused) {
-  const auto step = [](const std::string& text) { return head + "prepare = [ { step = " + text + " } ]\n" + data; };
+  const auto step = [](const std::string& text) {
+    return manifest_head + "prepare = [ { step = " + text + " } ]\n" + manifest_data;
+  };
   expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 2147483647\n", 4, "at most 2048");
   expect_usage_error(step("\"pad\", voxels = 3000000000"), 3, "at most 2147483647");
   expect_usage_error(step("\"pad\", voxels = 1, value = 1e39"), 3, "finite");
@@ -132,7 +139,7 @@ TEST(Manifest, NumbersBeyondWhatCanBeDoneAreRefused) {
 TEST(Manifest, ItsNameCannotLeaveTheFoldersThatAreNamedAfterIt) {
   const TestFolder folder;
   for (const std::string name : {"...toml", ".hidden.toml", "-option.toml", "a\nb.toml"}) {
-    const auto path = folder.write(name, head + data);
+    const auto path = folder.write(name, manifest_head + manifest_data);
     EXPECT_THROW(read_manifest(path, path.string()), UsageError) << name;
   }
 }

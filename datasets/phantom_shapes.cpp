@@ -14,7 +14,7 @@ namespace isobench {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 }  // namespace
 

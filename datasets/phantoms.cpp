@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Offsets of convex sets (sphere, slab, capsule, rounded box) have no outer medial axis. The inner one of an offset of
 // a point, a disc or a segment is that set; area and volume are Steiner's formula.

@@ -21,7 +21,7 @@ constexpr std::size_t size_1 = 348;  // of a header of version 1
 constexpr std::size_t size_2 = 540;
 
 /// What both versions say, in one form.
-struct Header {
+struct NiftiHeader {
   int version = 1;
   ByteOrder order = ByteOrder::little;
   std::array<long long, 8> dim{};  // [0] is their number
@@ -56,7 +56,7 @@ void fields_at(const std::string& bytes, std::size_t at, ByteOrder order, Target
 
 template <class Real>
 void read_places(const std::string& bytes, std::size_t quaternion, std::size_t qoffset, std::size_t srow,
-                 Header& header) {
+                 NiftiHeader& header) {
   fields_at<Real>(bytes, quaternion, header.order, header.quaternion.data(), 3);
   fields_at<Real>(bytes, qoffset, header.order, header.qoffset.data(), 3);
   Eigen::Matrix<double, 4, 3> rows;
@@ -64,8 +64,8 @@ void read_places(const std::string& bytes, std::size_t quaternion, std::size_t q
   header.srow = rows.transpose();
 }
 
-Header version_1(const std::string& bytes, ByteOrder order) {
-  Header header;
+NiftiHeader version_1(const std::string& bytes, ByteOrder order) {
+  NiftiHeader header;
   header.order = order;
   fields_at<std::int16_t>(bytes, 40, order, header.dim.data(), 8);
   header.datatype = value_at<std::int16_t>(bytes, 70, order);
@@ -81,8 +81,8 @@ Header version_1(const std::string& bytes, ByteOrder order) {
   return header;
 }
 
-Header version_2(const std::string& bytes, ByteOrder order) {
-  Header header;
+NiftiHeader version_2(const std::string& bytes, ByteOrder order) {
+  NiftiHeader header;
   header.version = 2;
   header.order = order;
   header.datatype = value_at<std::int16_t>(bytes, 12, order);
@@ -99,7 +99,7 @@ Header version_2(const std::string& bytes, ByteOrder order) {
   return header;
 }
 
-Header read_header(ByteReader& reader) {
+NiftiHeader read_nifti_header(ByteReader& reader) {
   std::string bytes(size_2, '\0');
   const std::string path = reader.path().string();
   if (reader.read(bytes.data(), size_1) == size_1) {
@@ -118,7 +118,7 @@ Header read_header(ByteReader& reader) {
   throw DataError(path + ": not a NIfTI file; give it the ending of its own format");
 }
 
-SampleType type_of(const Header& header, const std::filesystem::path& path) {
+SampleType type_of(const NiftiHeader& header, const std::filesystem::path& path) {
   static constexpr std::pair<int, SampleType> types[] = {
       {2, SampleType::u8},     {4, SampleType::i16},   {8, SampleType::i32},   {16, SampleType::f32},
       {64, SampleType::f64},   {256, SampleType::i8},  {512, SampleType::u16}, {768, SampleType::u32},
@@ -133,7 +133,7 @@ SampleType type_of(const Header& header, const std::filesystem::path& path) {
                               path.string(), header.datatype));
 }
 
-std::array<long long, 3> size_of(const Header& header, const std::filesystem::path& path) {
+std::array<long long, 3> size_of(const NiftiHeader& header, const std::filesystem::path& path) {
   if (header.dim[0] < 1 || header.dim[0] > 7) {
     throw DataError(
         fmt::format("{}: it cannot have {} dimensions; the header is damaged", path.string(), header.dim[0]));
@@ -148,7 +148,7 @@ std::array<long long, 3> size_of(const Header& header, const std::filesystem::pa
   return size;
 }
 
-double unit_of(const Header& header) {
+double unit_of(const NiftiHeader& header) {
   switch (header.units & 7) {
     case 1:
       return 1000.0;
@@ -160,7 +160,7 @@ double unit_of(const Header& header) {
 }
 
 /// The columns are the steps from node to node, in the header's unit.
-Eigen::Matrix3d steps_of(const Header& header) {
+Eigen::Matrix3d steps_of(const NiftiHeader& header) {
   Eigen::Vector3d voxel(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
   voxel = voxel.cwiseAbs();
   if (header.sform > 0) return header.srow.leftCols<3>();
@@ -173,7 +173,7 @@ Eigen::Matrix3d steps_of(const Header& header) {
   return q.normalized().toRotationMatrix() * voxel.asDiagonal();
 }
 
-Lattice lattice_of(const Header& header, const std::filesystem::path& path) {
+Lattice lattice_of(const NiftiHeader& header, const std::filesystem::path& path) {
   const bool placed = header.sform > 0 || header.qform > 0;
   const Eigen::Matrix3d steps = unit_of(header) * steps_of(header);
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -182,7 +182,7 @@ Lattice lattice_of(const Header& header, const std::filesystem::path& path) {
 }
 
 /// On to the samples: behind the header there may be extensions.
-void skip_to_samples(ByteReader& reader, const Header& header) {
+void skip_to_samples(ByteReader& reader, const NiftiHeader& header) {
   constexpr double limit = 1 << 26;
   if (!(header.offset < limit)) {
     throw DataError(fmt::format("{}: its samples cannot begin at byte {}; the header is damaged",
@@ -203,7 +203,7 @@ bool is_gzip(const std::filesystem::path& path) {
 
 Volume read_nifti(const std::filesystem::path& path) {
   ByteReader reader(path, is_gzip(path) ? Encoding::deflated : Encoding::plain);
-  const Header header = read_header(reader);
+  const NiftiHeader header = read_nifti_header(reader);
   Volume volume;
   volume.lattice = lattice_of(header, path);
   const SampleType type = type_of(header, path);

@@ -15,7 +15,7 @@ namespace isobench {
 
 namespace {
 
-struct Header {
+struct NrrdHeader {
   std::filesystem::path path;
   std::map<std::string, std::string> fields;
 
@@ -34,8 +34,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-Header read_header(ByteReader& reader) {
-  Header header{reader.path(), {}};
+NrrdHeader read_nrrd_header(ByteReader& reader) {
+  NrrdHeader header{reader.path(), {}};
   std::string line;
   if (!reader.read_line(line, 64) || !line.starts_with("NRRD000")) {
     throw DataError(header.path.string() + ": not an NRRD file; give it the ending of its own format");
@@ -58,7 +58,7 @@ Header read_header(ByteReader& reader) {
 }
 
 /// The world's axes; what is neither RAS nor LPS but a mirror image of them is turned into RAS by `flip`.
-std::string space_of(const Header& header, Eigen::Vector3d& flip) {
+std::string space_of(const NrrdHeader& header, Eigen::Vector3d& flip) {
   const std::string space = lower(header.text("space"));
   flip.setOnes();
   if (space == "right-anterior-superior" || space == "ras") return "RAS";
@@ -71,7 +71,7 @@ std::string space_of(const Header& header, Eigen::Vector3d& flip) {
 }
 
 /// "mm" out of `"mm" "mm" "mm"`; all axes of space must have one unit.
-std::string unit_of(const Header& header) {
+std::string unit_of(const NrrdHeader& header) {
   const std::string units = header.text("spaceunits");
   std::string unit;
   for (std::size_t open = units.find('"'); open != std::string::npos; open = units.find('"', open)) {
@@ -88,7 +88,7 @@ std::string unit_of(const Header& header) {
   return unit;
 }
 
-Lattice lattice_of(const Header& header) {
+Lattice lattice_of(const NrrdHeader& header) {
   if (header.number("dimension", 0.0) != 3.0) {
     throw DataError(header.path.string() + ": not a 3-D scalar volume; give one of dimension 3");
   }
@@ -128,7 +128,7 @@ void skip_lines(ByteReader& reader, double lines) {
   }
 }
 
-void read_data(const Header& header, const std::filesystem::path& data, std::uintmax_t begin, Volume& volume) {
+void read_data(const NrrdHeader& header, const std::filesystem::path& data, std::uintmax_t begin, Volume& volume) {
   const std::string encoding = lower(header.text("encoding"));
   const std::string type_name = header.text("type");
   const auto type = sample_type(type_name);
@@ -163,7 +163,7 @@ void read_data(const Header& header, const std::filesystem::path& data, std::uin
 
 Volume read_nrrd(const std::filesystem::path& path) {
   ByteReader reader(path, Encoding::plain);
-  const Header header = read_header(reader);
+  const NrrdHeader header = read_nrrd_header(reader);
   Volume volume;
   volume.lattice = lattice_of(header);
   if (!header.has("datafile")) {

@@ -14,7 +14,7 @@ namespace isobench {
 
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{1} << 20U;
+constexpr std::size_t conversion_bytes = std::size_t{1} << 20U;
 
 template <typename Sample, typename Number>
 void convert(const char* bytes, std::size_t count, bool swap, Number* numbers) {
@@ -200,7 +200,7 @@ void read_samples(ByteReader& reader, std::size_t count, SampleType type, ByteOr
   if (possible < count) throw_truncated(reader.path(), possible, count);
   // Reserving takes no memory yet: a compressed file may promise a thousand times what it holds.
   samples.reserve(samples.size() + count);
-  std::vector<char> chunk(std::min(count * bytes, chunk_bytes));
+  std::vector<char> chunk(std::min(count * bytes, conversion_bytes));
   for (std::size_t done = 0; done < count;) {
     const std::size_t part = std::min(count - done, chunk.size() / bytes);
     const std::size_t got = reader.read(chunk.data(), part * bytes) / bytes;

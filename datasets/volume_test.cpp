@@ -11,7 +11,7 @@
 namespace isobench {
 namespace {
 
-Lattice oblique() {
+Lattice oblique_lattice() {
   Lattice lattice;
   lattice.size = {4, 3, 2};
   lattice.spacing = {0.5, 1.0, 4.0};
@@ -21,7 +21,7 @@ Lattice oblique() {
 }
 
 TEST(Lattice, NumbersNodesWithXFastest) {
-  const Lattice lattice = oblique();
+  const Lattice lattice = oblique_lattice();
   EXPECT_EQ(lattice.nodes(), 24U);
   std::size_t n = 0;
   for (int k = 0; k < 2; ++k) {
@@ -38,10 +38,10 @@ TEST(Lattice, CountsMoreNodesThanAnIntHolds) {
   EXPECT_EQ(lattice.index(2047, 2047, 2047), lattice.nodes() - 1);
 }
 
-TEST(Lattice, AVoxelIsTheGeometricMeanOfTheSpacing) { EXPECT_NEAR(oblique().voxel(), std::cbrt(2.0), 1e-15); }
+TEST(Lattice, AVoxelIsTheGeometricMeanOfTheSpacing) { EXPECT_NEAR(oblique_lattice().voxel(), std::cbrt(2.0), 1e-15); }
 
 TEST(Lattice, ToLocalUndoesToWorld) {
-  const Lattice lattice = oblique();
+  const Lattice lattice = oblique_lattice();
   const Eigen::Vector3d local(1.25, -2.0, 7.5);
   EXPECT_TRUE(lattice.to_world(Eigen::Vector3d::Zero()).isApprox(lattice.origin));
   EXPECT_TRUE(lattice.to_local(lattice.to_world(local)).isApprox(local, 1e-12));
@@ -51,7 +51,7 @@ TEST(Lattice, ToLocalUndoesToWorld) {
 }
 
 TEST(Lattice, KnowsItsHandedness) {
-  Lattice lattice = oblique();
+  Lattice lattice = oblique_lattice();
   EXPECT_TRUE(lattice.right_handed());
   lattice.direction.col(1) *= -1.0;
   EXPECT_FALSE(lattice.right_handed());
@@ -59,7 +59,7 @@ TEST(Lattice, KnowsItsHandedness) {
 
 Volume ramp() {
   Volume volume;
-  volume.lattice = oblique();
+  volume.lattice = oblique_lattice();
   for (std::size_t n = 0; n < volume.lattice.nodes(); ++n) volume.samples.push_back(static_cast<float>(n) - 5.0F);
   return volume;
 }

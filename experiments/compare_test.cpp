@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const particles = R"(dataset = "small.toml"
+const char* const particles_experiment = R"(dataset = "small.toml"
 [sampling]
 epsilon = 1.0
 delta = 0.5
@@ -18,7 +18,7 @@ name = "particles"
 name = "marching-cubes"
 )";
 
-const char* const cubes = R"(dataset = ["sphere", "torus"]
+const char* const cubes_experiment = R"(dataset = ["sphere", "torus"]
 [sampling]
 edge_length = 2
 [[method]]
@@ -47,7 +47,7 @@ class Compare : public testing::Test {
 };
 
 TEST_F(Compare, TwoRunsOfOneConfigDifferInNothingButSeconds) {
-  run_twice(particles);
+  run_twice(particles_experiment);
   const Outcome same = run({"compare", "a/two", "b/two"});
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   EXPECT_EQ(same.out.find("2 runs are the same in both in all but seconds and memory"), 0U) << same.out;
@@ -57,7 +57,7 @@ TEST_F(Compare, TwoRunsOfOneConfigDifferInNothingButSeconds) {
 }
 
 TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
-  folder_.write("two.toml", cubes);
+  folder_.write("two.toml", cubes_experiment);
   ASSERT_EQ(run({"run", "two.toml", "-q", "--out", "a", "--threads", "2"}).code, 0);
   fs::rename(folder_.path() / "a" / "two", folder_.path() / "as-it-came");
   fs::remove(folder_.path() / "two.toml");
@@ -77,7 +77,7 @@ TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
 }
 
 TEST_F(Compare, AFigureThatDiffersIsShownAndExitsWith1) {
-  run_twice(cubes);
+  run_twice(cubes_experiment);
   const fs::path record = record_in("b/two", "torus-marching-cubes");
   std::string text = text_of(record);
   const std::size_t at = text.find("\"triangles\": ");

@@ -32,7 +32,7 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-void write_experiment(const TestFolder& folder) {
+void write_programs(const TestFolder& folder) {
   folder.write("ball.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
   std::string text =
       "dataset = \"ball\"\n[sampling]\nedge_length = 5\n[limits]\nminutes = 5\nmemory_gb = 0.5\n"
@@ -55,7 +55,7 @@ fs::path folder_of(const fs::path& results, const std::string& label) {
 
 TEST(External, EveryWayToFailCostsItsOwnRunAlone) {
   const TestFolder folder;
-  write_experiment(folder);
+  write_programs(folder);
   const Outcome outcome = run_program(folder.path(), {"run", "peers.toml", "--jobs", "2"},
                                       {{"ISOBENCH_CATALOGUE", folder.path().string()}});
   EXPECT_EQ(outcome.code, 1) << outcome.err;

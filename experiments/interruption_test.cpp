@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Many small cells: small lattices, meshes that depend on the seed and such that do not, in a few milliseconds each.
-void write_experiment(const TestFolder& folder, int seeds) {
+void write_many(const TestFolder& folder, int seeds) {
   for (const char* name : {"sphere", "slab", "capsule"}) {
     folder.write(fmt::format("small-{}.toml", name),
                  fmt::format("title = \"Small\"\n[phantom]\nname = \"{}\"\nnodes = 24\n", name));
@@ -50,7 +50,7 @@ struct Undisturbed {
   std::size_t cells = 0;
 
   explicit Undisturbed(int seeds) : cells(static_cast<std::size_t>(6 * seeds)) {
-    write_experiment(folder, seeds);
+    write_many(folder, seeds);
     const auto start = std::chrono::steady_clock::now();
     const Outcome outcome = run_program(folder.path(), {"run", "many.toml", "--threads", "1"}, catalogue_in(folder));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -70,11 +70,6 @@ void expect_as_undisturbed(const fs::path& results, const Undisturbed& reference
 }
 
 const std::vector<std::string> run_many = {"run", "many.toml", "--threads", "1"};
-
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 void expect_finished(const TestFolder& folder, const std::vector<std::string>& arguments) {
   const Outcome outcome = run_program(folder.path(), arguments, catalogue_in(folder));
@@ -98,7 +93,7 @@ int kill_at_random(const TestFolder& folder, int times, double longest, const st
 TEST(InterruptionSlow, FiftySigkillsLeaveTheSameResults) {
   const Undisturbed reference(20);
   const TestFolder folder;
-  write_experiment(folder, 20);
+  write_many(folder, 20);
   const fs::path results = folder.path() / "results" / "many";
   std::mt19937_64 random(1);
   // In the mean a seventieth of the whole: the experiment is not done before the last.
@@ -146,7 +141,7 @@ TEST(InterruptionSlow, ProcessesOnOneFolderDoEveryCellOnce) {
   const Undisturbed reference(10);
   for (const std::size_t size : {2U, 4U}) {
     const TestFolder folder;
-    write_experiment(folder, 10);
+    write_many(folder, 10);
     const Team team(folder, size);
     std::vector<int> shares;
     for (std::size_t n = 0; n < size; ++n) {
@@ -166,7 +161,7 @@ TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
   std::mt19937_64 random(2);
   for (int repeat = 0; repeat < 4; ++repeat) {
     const TestFolder folder;
-    write_experiment(folder, 10);
+    write_many(folder, 10);
     const fs::path results = folder.path() / "results" / "many";
     const Team team(folder, 3);
     std::size_t done = 0;
@@ -187,7 +182,7 @@ TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
 
 TEST(Interruption, AFailureIsNotRepeatedByAProcessThatWasThereBefore) {
   const TestFolder folder;
-  write_experiment(folder, 1);
+  write_many(folder, 1);
   const std::string held = (folder.path() / "results" / "many" / ".tmp-small-sphere-particles").string();
   const Team early(folder, 1, "hang:small-sphere/particles");
   EXPECT_TRUE(eventually([&] { return process_mentions(held); }));
@@ -205,7 +200,7 @@ TEST(Interruption, AFailureIsNotRepeatedByAProcessThatWasThereBefore) {
 
 TEST(Interruption, DeathBeforeTheConfigIsWrittenIsNoObstacle) {
   const TestFolder folder;
-  write_experiment(folder, 1);
+  write_many(folder, 1);
   folder.write("results/many/.locks/store", "");
   folder.write("results/many/plan.json", "[]");
   folder.write("results/many/config.toml.tmp-4711", "data");

@@ -35,7 +35,7 @@ const std::vector<Fault>& faults() {
 }
 
 /// A dataset of each fault's name and a healthy one, each meshed by two methods, of which only one is at fault.
-void write_experiment(const TestFolder& folder) {
+void write_faults(const TestFolder& folder) {
   std::string datasets = "\"healthy\"";
   const std::string manifest = "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n";
   folder.write("healthy.toml", manifest);
@@ -59,7 +59,7 @@ std::string every_fault() {
 
 TEST(Isolation, EveryKindOfFaultCostsItsOwnCellAlone) {
   const TestFolder folder;
-  write_experiment(folder);
+  write_faults(folder);
   const std::map<std::string, std::string> environment = {{"ISOBENCH_CATALOGUE", folder.path().string()},
                                                           {"ISOBENCH_TEST_FAULT", every_fault()}};
   const Outcome outcome = run_program(folder.path(), {"run", "bad.toml", "--jobs", "2"}, environment);

@@ -24,11 +24,6 @@ class ProgramVerbs : public testing::Test {
 
 const std::vector<std::string> mesh_torus = {"mesh", "--dataset", "torus", "--method", "marching-cubes", "-q"};
 
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
   expect({"rnu"}, 2, "did you mean 'run'?");
   expect({"run", "nowhere.toml"}, 2, "nowhere.toml");

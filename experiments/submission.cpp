@@ -47,7 +47,7 @@ Whereabouts whereabouts(Status status) {
   return Whereabouts::failed;
 }
 
-CellState stored_state(const fs::path& folder, const RunRequest& request) {
+CellState cell_state(const fs::path& folder, const RunRequest& request) {
   CellState state;
   const StoredRun stored = stored_run(folder, request);
   if (stored.status) state.where = whereabouts(*stored.status);
@@ -85,8 +85,7 @@ std::vector<Submission> submissions(const fs::path& folder, std::size_t cells) {
 FolderState folder_state(const fs::path& folder, const std::vector<RunRequest>& plan) {
   FolderState state;
   state.cells.resize(plan.size());
-  tbb::parallel_for(std::size_t{0}, plan.size(),
-                    [&](std::size_t n) { state.cells[n] = stored_state(folder, plan[n]); });
+  tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t n) { state.cells[n] = cell_state(folder, plan[n]); });
   const std::vector<Submission> all = submissions(folder, plan.size());
   if (all.empty()) return state;
   std::vector<std::string> jobs;

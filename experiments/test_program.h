@@ -28,6 +28,11 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
+inline std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 struct Outcome {
   int code = -1;  ///< exit status; -1 where a signal ended it
   int signal = 0;

@@ -11,7 +11,7 @@
 namespace isobench {
 namespace {
 
-TriangleMesh tetrahedron() {
+TriangleMesh odd_tetrahedron() {
   TriangleMesh mesh;
   mesh.vertices = {{0.1, 0.0, 0.0}, {1.0 / 3.0, 0.0, 0.0}, {0.0, std::sqrt(2.0), 0.0}, {0.0, 0.0, 1e-9}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
@@ -19,29 +19,29 @@ TriangleMesh tetrahedron() {
 }
 
 TEST(MeshChecksum, IsOfCoordinatesAndCornersToTheLastBit) {
-  std::set<std::string> seen = {checksum(tetrahedron())};
-  TriangleMesh mesh = tetrahedron();
+  std::set<std::string> seen = {checksum(odd_tetrahedron())};
+  TriangleMesh mesh = odd_tetrahedron();
   mesh.vertices[1].x() = std::nextafter(mesh.vertices[1].x(), 1.0);
   EXPECT_TRUE(seen.insert(checksum(mesh)).second);
-  mesh = tetrahedron();
+  mesh = odd_tetrahedron();
   std::swap(mesh.triangles[0], mesh.triangles[1]);
   EXPECT_TRUE(seen.insert(checksum(mesh)).second);
-  mesh = tetrahedron();
+  mesh = odd_tetrahedron();
   mesh.triangles[2] = {2, 3, 1};
   EXPECT_TRUE(seen.insert(checksum(mesh)).second);
-  mesh = tetrahedron();
+  mesh = odd_tetrahedron();
   mesh.vertices.emplace_back(0.0, 0.0, 0.0);
   EXPECT_TRUE(seen.insert(checksum(mesh)).second);
-  mesh = tetrahedron();
+  mesh = odd_tetrahedron();
   mesh.vertex_data["h0"] = {1.0, 2.0, 3.0, 4.0};
-  EXPECT_EQ(checksum(mesh), checksum(tetrahedron()));
+  EXPECT_EQ(checksum(mesh), checksum(odd_tetrahedron()));
 }
 
 TEST(MeshChecksum, SurvivesVtp) {
   const TestFolder folder;
   const std::filesystem::path path = folder.path() / "checksum.vtp";
-  write_mesh(tetrahedron(), path);
-  EXPECT_EQ(checksum(read_mesh(path)), checksum(tetrahedron()));
+  write_mesh(odd_tetrahedron(), path);
+  EXPECT_EQ(checksum(read_mesh(path)), checksum(odd_tetrahedron()));
 }
 
 }  // namespace

@@ -165,12 +165,6 @@ void read_vertices(const PlyElement& element, PlyBody& body, const std::filesyst
   }
 }
 
-std::uint32_t to_index(double value) {
-  // What is no index becomes one that no mesh has, for read_mesh() to report.
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  return value >= 0.0 && value < kNone && value == std::floor(value) ? static_cast<std::uint32_t>(value) : kNone;
-}
-
 void read_faces(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, TriangleMesh& mesh) {
   for (long t = 0; t < element.count; ++t) {
     bool found = false;

@@ -60,4 +60,9 @@ long TextLines::integer(std::size_t n) const {
   return *value;
 }
 
+std::uint32_t to_index(double value) {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  return value >= 0.0 && value < none && value == std::floor(value) ? static_cast<std::uint32_t>(value) : none;
+}
+
 }  // namespace isobench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,5 +34,7 @@ class TextLines {
 
 std::optional<double> to_number(std::string_view word);
 std::optional<long> to_integer(std::string_view word);
+/// What is no index becomes one that no mesh has, for read_mesh() to report.
+std::uint32_t to_index(double value);
 
 }  // namespace isobench

@@ -14,6 +14,7 @@
 #include "datasets/vtk_xml.h"
 #include "methods/mesh_files.h"
 #include "methods/mesh_formats.h"
+#include "methods/mesh_text.h"
 
 namespace isobench {
 
@@ -29,12 +30,6 @@ void add_arrays(const DataArrays& arrays, vtkFieldData& target) {
     for (std::size_t n = 0; n < values.size(); ++n) array->SetValue(static_cast<vtkIdType>(n), values[n]);
     target.AddArray(array);
   }
-}
-
-std::uint32_t to_index(double id) {
-  // What does not fit becomes an index that no mesh has, for read_mesh() to report.
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  return id >= 0.0 && id < kNone ? static_cast<std::uint32_t>(id) : kNone;
 }
 
 const VtkElement& array_of(const VtkXmlFile& file, const VtkElement& parent, const std::string& name) {

@@ -9,8 +9,8 @@
 namespace isobench {
 namespace {
 
-// The tetrahedron of the axes' unit points, facing outward: volume 1/6.
-TriangleMesh tetrahedron() {
+// The unit_tetrahedron of the axes' unit points, facing outward: volume 1/6.
+TriangleMesh unit_tetrahedron() {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -40,15 +40,15 @@ class MeshFrames : public testing::TestWithParam<bool> {};
 
 TEST_P(MeshFrames, TheOutsideStaysOutside) {
   const Lattice lattice = oblique(GetParam());
-  ASSERT_NEAR(signed_volume(tetrahedron()), 1.0 / 6.0, 1e-15);
+  ASSERT_NEAR(signed_volume(unit_tetrahedron()), 1.0 / 6.0, 1e-15);
   // The lattice frame is in mm already: spacing must not scale the mesh again.
-  EXPECT_NEAR(signed_volume(to_world(tetrahedron(), lattice)), 1.0 / 6.0, 1e-12);
-  EXPECT_NEAR(signed_volume(to_local(tetrahedron(), lattice)), 1.0 / 6.0, 1e-12);
+  EXPECT_NEAR(signed_volume(to_world(unit_tetrahedron(), lattice)), 1.0 / 6.0, 1e-12);
+  EXPECT_NEAR(signed_volume(to_local(unit_tetrahedron(), lattice)), 1.0 / 6.0, 1e-12);
 }
 
 TEST_P(MeshFrames, ToLocalUndoesToWorld) {
   const Lattice lattice = oblique(GetParam());
-  const TriangleMesh before = tetrahedron();
+  const TriangleMesh before = unit_tetrahedron();
   const TriangleMesh world = to_world(before, lattice);
   EXPECT_TRUE(world.vertices[2].isApprox(lattice.origin + lattice.direction.col(1)));
   const TriangleMesh after = to_local(world, lattice);

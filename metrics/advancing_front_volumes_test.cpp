@@ -13,13 +13,13 @@
 namespace isobench {
 namespace {
 
-struct Case {
+struct FrontCase {
   const char* dataset;
   double epsilon;
   double delta;
 };
 
-class AdvancingFrontOnVolumesSlow : public testing::TestWithParam<Case> {
+class AdvancingFrontOnVolumesSlow : public testing::TestWithParam<FrontCase> {
  protected:
   void SetUp() override {
     if (std::getenv("ISOBENCH_DATA") == nullptr) {
@@ -54,8 +54,9 @@ TEST_P(AdvancingFrontOnVolumesSlow, ClosesAndReachesThePapersRegime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Paper, AdvancingFrontOnVolumesSlow,
-                         testing::Values(Case{"brain", 0.5, 0.3}, Case{"pelvis", 0.75, 0.5}, Case{"skull", 0.5, 0.3},
-                                         Case{"vessel", 0.5, 0.3}, Case{"skull-small", 0.5, 0.3}),
+                         testing::Values(FrontCase{"brain", 0.5, 0.3}, FrontCase{"pelvis", 0.75, 0.5},
+                                         FrontCase{"skull", 0.5, 0.3}, FrontCase{"vessel", 0.5, 0.3},
+                                         FrontCase{"skull-small", 0.5, 0.3}),
                          [](const auto& instance) {
                            std::string name = instance.param.dataset;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -7,37 +7,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
+#include "metrics/test_surfaces.h"
 
 namespace isobench {
 namespace {
 
-/// The plane z = 10.25 over 0…20 mm in x and y: splines reproduce a linear function.
-Isosurface plane() {
-  Volume volume;
-  volume.lattice.size = {21, 11, 41};
-  volume.lattice.spacing = {1.0, 2.0, 0.5};
-  for (int k = 0; k < 41; ++k) volume.samples.insert(volume.samples.end(), 21 * 11, static_cast<float>(0.5 * k));
-  return {std::move(volume), 10.25, Inside::below};
-}
-
 /// A rectangle over 0…`width` in x and all of the plane in y.
 TriangleMesh rectangle(double width, double z) {
   return sample_meshes::mesh({{0, 0, z}, {width, 0, z}, {width, 20, z}, {0, 20, z}}, {{0, 1, 2}, {0, 2, 3}});
-}
-
-/// A ball of radius 12 mm around (20, 20, 20).
-Isosurface ball() {
-  Volume volume;
-  volume.lattice.size = {41, 41, 41};
-  for (int k = 0; k < 41; ++k) {
-    for (int j = 0; j < 41; ++j) {
-      for (int i = 0; i < 41; ++i) {
-        volume.samples.push_back(static_cast<float>(12.0 - (Eigen::Vector3d(i, j, k).array() - 20.0).matrix().norm()));
-      }
-    }
-  }
-  return {std::move(volume), 0.0};
 }
 
 TEST(DistanceFromSurface, ConstantOffsetFromAPlane) {

@@ -5,20 +5,12 @@
 #include <tbb/global_control.h>
 
 #include "metrics/edge_lengths.h"
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
+#include "metrics/test_surfaces.h"
 
 namespace isobench {
 
 namespace {
-
-/// The plane z = 10.25 in a lattice of spacing (1, 2, 0.5), inside below it: splines reproduce a linear function.
-Isosurface plane() {
-  Volume volume;
-  volume.lattice.size = {21, 11, 41};
-  volume.lattice.spacing = {1.0, 2.0, 0.5};
-  for (int k = 0; k < 41; ++k) volume.samples.insert(volume.samples.end(), 21 * 11, static_cast<float>(0.5 * k));
-  return {std::move(volume), 10.25, Inside::below};
-}
 
 TriangleMesh at_heights(double a, double b, double c) {
   return sample_meshes::mesh({{5, 5, 10.25 + a}, {15, 5, 10.25 + b}, {5, 15, 10.25 + c}}, {{0, 1, 2}});
@@ -48,20 +40,6 @@ TEST(Distance, IsWeightedByArea) {
   const TriangleMesh large = at_heights(0.3, 0.3, 0.3);
   const TriangleMesh small = sample_meshes::mesh({{5, 5, 10.25}, {10, 5, 10.25}, {5, 10, 10.25}}, {{0, 1, 2}});
   EXPECT_NEAR(measure_distance(sample_meshes::together(large, small), plane()).mean, 0.3 * 0.8, 1e-6);
-}
-
-/// A ball of radius 12 mm around (20, 20, 20).
-Isosurface ball() {
-  Volume volume;
-  volume.lattice.size = {41, 41, 41};
-  for (int k = 0; k < 41; ++k) {
-    for (int j = 0; j < 41; ++j) {
-      for (int i = 0; i < 41; ++i) {
-        volume.samples.push_back(static_cast<float>(12.0 - (Eigen::Vector3d(i, j, k).array() - 20.0).matrix().norm()));
-      }
-    }
-  }
-  return {std::move(volume), 0.0};
 }
 
 /// A sphere of the given radius around the ball's centre, 2n² quads.

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "datasets/error.h"
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 
 namespace isobench {
 

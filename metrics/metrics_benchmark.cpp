@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "metrics/reference_topology.h"
-#include "metrics/sample_meshes.h"
-#include "metrics/self_intersections.h"
+#include "methods/sample_meshes.h"
+#include "methods/self_intersections.h"
 #include "metrics/topology.h"
 
 namespace isobench {

@@ -13,7 +13,7 @@
 
 #include "metrics/angles.h"
 #include "metrics/radius_ratio.h"
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 
 namespace isobench {
 

@@ -4,7 +4,7 @@
 
 #include "datasets/union_find.h"
 #include "metrics/mesh_edges.h"
-#include "metrics/self_intersections.h"
+#include "methods/self_intersections.h"
 
 namespace isobench {
 

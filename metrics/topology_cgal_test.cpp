@@ -16,7 +16,7 @@
 #include <random>
 #include <set>
 
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 #include "metrics/topology.h"
 
 namespace isobench {

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 #include "metrics/valence.h"
 
 namespace isobench {

@@ -12,7 +12,7 @@
 namespace isobench {
 namespace {
 
-struct Case {
+struct VolumeCase {
   const char* dataset;
   double epsilon;
   double delta;
@@ -37,7 +37,7 @@ class OnVolumes : public testing::Test {
   }
 };
 
-class ParticlesOnVolumesSlow : public OnVolumes, public testing::WithParamInterface<Case> {};
+class ParticlesOnVolumesSlow : public OnVolumes, public testing::WithParamInterface<VolumeCase> {};
 
 TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
   Monitor monitor;
@@ -85,8 +85,8 @@ TEST_F(UniformParticlesOnVolumesSlow, ReachWhatNoPeerDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Paper, ParticlesOnVolumesSlow,
-                         testing::Values(Case{"brain", 0.5, 0.3}, Case{"pelvis", 0.75, 0.5}, Case{"skull", 0.5, 0.3},
-                                         Case{"vessel", 0.5, 0.3}),
+                         testing::Values(VolumeCase{"brain", 0.5, 0.3}, VolumeCase{"pelvis", 0.75, 0.5},
+                                         VolumeCase{"skull", 0.5, 0.3}, VolumeCase{"vessel", 0.5, 0.3}),
                          [](const auto& chosen) { return std::string(chosen.param.dataset); });
 
 }  // namespace

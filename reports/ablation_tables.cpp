@@ -75,17 +75,17 @@ double defects(const RunRecord& run) {
   return static_cast<double>(t.boundary_edges + t.nonmanifold_edges + t.nonmanifold_vertices + t.self_intersections);
 }
 
-struct Column {
+struct StageColumn {
   std::string title;
   Figure figure;
   Print print;
   enum class Over { sound_meshes, all_meshes, alike_timed } over = Over::sound_meshes;
 };
 
-const std::vector<Column>& columns() {
+const std::vector<StageColumn>& columns() {
   using R = RunRecord;
-  using Over = Column::Over;
-  static const std::vector<Column> all{
+  using Over = StageColumn::Over;
+  static const std::vector<StageColumn> all{
       {"vertices", [](const R& r) { return static_cast<double>(r.measurement->vertices); }, as_number()},
       {"Q min", [](const R& r) { return r.measurement->radius_ratio.min; }, to_places(3)},
       {"Q avg", [](const R& r) { return r.measurement->radius_ratio.avg; }, to_places(4)},
@@ -100,10 +100,10 @@ const std::vector<Column>& columns() {
   return all;
 }
 
-TableCell cell_of(const Arrangement& runs, const Runs& group, const Column& column) {
-  if (column.over == Column::Over::alike_timed) return over_timed(runs, group, column.figure, column.print);
-  return column.over == Column::Over::all_meshes ? over_all(group, column.figure, column.print)
-                                                 : over(group, column.figure, column.print);
+TableCell cell_of(const Arrangement& runs, const Runs& group, const StageColumn& column) {
+  if (column.over == StageColumn::Over::alike_timed) return over_timed(runs, group, column.figure, column.print);
+  return column.over == StageColumn::Over::all_meshes ? over_all(group, column.figure, column.print)
+                                                      : over(group, column.figure, column.print);
 }
 
 // " [+0.012]", where it prints as anything but nothing.
@@ -118,7 +118,7 @@ std::string difference(const TableCell& cell, const TableCell& base) {
 TableRow row_of(const Arrangement& runs, const std::string& dataset, const std::string& label, const Runs& group,
                 const Runs& base) {
   TableRow row = {dataset, label + spread_label(group) + marks(group)};
-  for (const Column& column : columns()) {
+  for (const StageColumn& column : columns()) {
     if (finished(group).empty()) {
       row.push_back("–");
       continue;
@@ -139,7 +139,7 @@ std::vector<Table> ablation_tables(const Arrangement& runs) {
     Table table;
     table.title = "What one choice is worth: " + ablation.base->name;
     table.header = {"Data", "Changed"};
-    for (const Column& column : columns()) table.header.push_back(column.title);
+    for (const StageColumn& column : columns()) table.header.push_back(column.title);
     for (const std::string& dataset : runs.datasets) {
       const Runs& base = find_runs(*ablation.base, dataset);
       if (!base.empty()) table.rows.push_back(row_of(runs, dataset, "nothing", base, base));

@@ -11,7 +11,7 @@
 namespace isobench {
 namespace {
 
-const std::string head = R"(source = "Somebody 1999"
+const std::string claims_head = R"(source = "Somebody 1999"
 [[method]]
 printed = "ps"
 name = "particles-2007"
@@ -35,7 +35,7 @@ words = "It is so."
 
 Published published_with(const std::string& claim) {
   const TestFolder folder;
-  return read_published(folder.write("claims.toml", head + claim));
+  return read_published(folder.write("claims.toml", claims_head + claim));
 }
 
 // A run whose figures of interest are given.

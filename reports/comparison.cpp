@@ -16,7 +16,7 @@ namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-std::string text_of(const Json& value) {
+std::string leaf_text(const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -84,8 +84,8 @@ Difference series_difference(const Json& a, const Json& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] == b[i]) continue;
     if (count++ == 0) {
-      difference.a = fmt::format("[{}] {}", i, text_of(a[i]));
-      difference.b = fmt::format("[{}] {}", i, text_of(b[i]));
+      difference.a = fmt::format("[{}] {}", i, leaf_text(a[i]));
+      difference.b = fmt::format("[{}] {}", i, leaf_text(b[i]));
     }
     const bool numbers = a[i].is_number() && b[i].is_number();
     // A place that is a number on one side alone stays the largest.
@@ -100,7 +100,7 @@ Difference series_difference(const Json& a, const Json& b) {
 // std::nullopt where the two are the same within the tolerance.
 std::optional<Difference> difference_of(const Json& a, const Json& b, double tolerance) {
   if (a == b) return std::nullopt;
-  Difference difference{"", "", text_of(a), text_of(b), no_number};
+  Difference difference{"", "", leaf_text(a), leaf_text(b), no_number};
   if (a.is_array() && b.is_array()) difference = series_difference(a, b);
   if (a.is_number() && b.is_number()) difference.relative = relative_difference(a.get<double>(), b.get<double>());
   if (difference.relative <= tolerance) return std::nullopt;
@@ -122,7 +122,7 @@ void visit_both(const Leaves& a, const Leaves& b, Visitor&& visit) {
 
 void note_circumstance(const std::string& what, const Json& a, const Json& b, Comparison& comparison) {
   if (a == b || what == "started" || what == "load") return;  // never the same twice
-  const CircumstanceChange change{what, text_of(a), text_of(b), 1};
+  const CircumstanceChange change{what, leaf_text(a), leaf_text(b), 1};
   for (CircumstanceChange& known : comparison.circumstances) {
     if (known.what == change.what && known.a == change.a && known.b == change.b) {
       ++known.runs;
@@ -180,7 +180,7 @@ std::string request_changes(const RunRequest& a, const RunRequest& b) {
   std::string text;
   visit_both(in_a, in_b, [&text](const std::string& name, const Json& left, const Json& right) {
     if (left == right || name == "run") return;
-    text += fmt::format("{}{}: {} and {}", text.empty() ? "" : "; ", name, text_of(left), text_of(right));
+    text += fmt::format("{}{}: {} and {}", text.empty() ? "" : "; ", name, leaf_text(left), leaf_text(right));
   });
   return text;
 }

@@ -13,10 +13,6 @@ namespace isobench {
 
 namespace {
 
-std::string plural(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::string circumstance_names(const Comparison& comparison) {
   std::set<std::string> names;
   for (const CircumstanceChange& change : comparison.circumstances) names.insert(change.what);

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int width = 640;
-constexpr int height = 520;
+constexpr int picture_width = 640;
+constexpr int picture_height = 520;
 constexpr double visible_edge = 5.0;  // pixels: shorter ones would hide the colours
 constexpr std::size_t triangles_around = 3000;
 
@@ -105,7 +105,7 @@ class Painter {
     if (!group_.grid) {
       for (std::size_t n = 0; n < meshes_.size(); ++n) write_turnable(n);
     }
-    if (!renderer_) renderer_ = std::make_unique<Renderer>(width, height);
+    if (!renderer_) renderer_ = std::make_unique<Renderer>(picture_width, picture_height);
     for (std::size_t n = 0; n < meshes_.size(); ++n) {
       paint_mesh(n);
       paint_artefacts(n);
@@ -140,7 +140,7 @@ class Painter {
     scene.mesh = &meshes_[n].mesh;
     scene.values = meshes_[n].values;
     scene.legend = "radius ratio";
-    scene.edges = mean_edge(*scene.mesh) * height / (2.0 * whole_.half_height) >= visible_edge;
+    scene.edges = mean_edge(*scene.mesh) * picture_height / (2.0 * whole_.half_height) >= visible_edge;
     write(n, shots::whole, scene, whole_);
     if (group_.grid) return;
     scene.edges = true;
@@ -188,7 +188,7 @@ class Painter {
     scene.mesh = &meshes_[n].mesh;
     scene.edges = false;
     scene.points = std::move(particles.points);
-    const double spacing = mean_edge(*scene.mesh) * height / (2.0 * whole_.half_height);
+    const double spacing = mean_edge(*scene.mesh) * picture_height / (2.0 * whole_.half_height);
     scene.point_size = std::clamp(0.5 * spacing, 1.5, 8.0);
     write(n, shots::particles, scene, whole_);
     scene.point_size = 9.0;

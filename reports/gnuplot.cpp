@@ -39,7 +39,7 @@ std::string double_quoted(std::string text) {
   return '"' + text + '"';
 }
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "NaN"; }
+std::string plot_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "NaN"; }
 
 bool in_categories(const Plot& plot) { return plot.marks == Marks::bars || plot.marks == Marks::stack; }
 
@@ -50,7 +50,7 @@ std::string data_blocks(const Plot& plot) {
     const Series& series = plot.series[n];
     text += fmt::format("$series{} << END\n", n + 1);
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      text += number(series.x[i]) + " " + number(series.y[i]);
+      text += plot_number(series.x[i]) + " " + plot_number(series.y[i]);
       if (in_categories(plot)) text += fmt::format(" {}", double_quoted(plot.categories[i]));
       text += "\n";
     }

@@ -101,7 +101,7 @@ std::string spanning(std::size_t columns, const char* letter, const std::string&
 // A cell's columns; joined by "&" they make its part of the line.
 using Columns = std::vector<std::string>;
 
-std::string number(double value, const Print& print, const Layout& layout) {
+std::string number_cell(double value, const Print& print, const Layout& layout) {
   if (!std::isfinite(value)) return "{--}";
   return layout.mixed ? fmt::format("\\num{}{{{}}}", rounding(print), value) : fmt::format("{}", value);
 }
@@ -112,11 +112,11 @@ std::string figures_of(const TableCell& cell, const Layout& layout) {
   Columns columns;
   for (const CellFigure& figure : cell.figures) {
     const Spread& spread = figure.spread;
-    columns.push_back(number(spread.median, figure.print, layout));
+    columns.push_back(number_cell(spread.median, figure.print, layout));
     if (!layout.spread) continue;
     const bool several = spread.min < spread.max;
-    columns.push_back(several ? number(spread.min, figure.print, layout) : "");
-    columns.push_back(several ? number(spread.max, figure.print, layout) : "");
+    columns.push_back(several ? number_cell(spread.min, figure.print, layout) : "");
+    columns.push_back(several ? number_cell(spread.max, figure.print, layout) : "");
   }
   if (layout.mark) {
     columns.resize(layout.width() - 1);

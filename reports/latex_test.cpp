@@ -11,11 +11,12 @@
 #include "datasets/test_folder.h"
 #include "reports/sample_records.h"
 #include "reports/tables.h"
+#include "reports/test_text.h"
 
 namespace isobench {
 namespace {
 
-Results sample_results() {
+Results results_for_latex() {
   Results results;
   results.title = "A test of 100 % & more_";
   results.records = {sample_record("pelvis", "particles"), sample_record("pelvis", "marching-cubes"),
@@ -29,7 +30,7 @@ Results sample_results() {
 }
 
 Results with_seeds() {
-  Results results = sample_results();
+  Results results = results_for_latex();
   results.records.push_back(results.records[0]);
   results.records.back().request.seed = 2;
   results.records.back().measurement->radius_ratio.min = 0.25;
@@ -48,13 +49,6 @@ Results with_grid() {
     }
   }
   return results;
-}
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
 }
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -111,11 +105,11 @@ std::string line_with(const std::string& text, const std::string& start) {
 }
 
 TEST(Latex, EveryRowHasTheColumnsDeclared) {
-  for (const Results& results : {sample_results(), with_seeds(), with_grid()}) expect_sound(latex_tables(results));
+  for (const Results& results : {results_for_latex(), with_seeds(), with_grid()}) expect_sound(latex_tables(results));
 }
 
 TEST(Latex, ValuesAreUnroundedAndRoundedByTheirColumn) {
-  const Results results = sample_results();
+  const Results results = results_for_latex();
   const std::string text = latex(radius_ratio_table(results, arrange(results)));
   EXPECT_NE(text.find("S[round-mode=figures,round-precision=3]S[round-mode=places,round-precision=3]"),
             std::string::npos);
@@ -135,7 +129,7 @@ TEST(Latex, ValuesAreUnroundedAndRoundedByTheirColumn) {
 }
 
 TEST(Latex, WholeNumbersTakeNoRoomForDecimals) {
-  const std::string topology = latex(topology_table(arrange(sample_results())));
+  const std::string topology = latex(topology_table(arrange(results_for_latex())));
   // χ is −14, its reference −12.
   EXPECT_NE(topology.find("S[table-format=1.0]S[table-format=-2.0]S[table-format=-2.0]"), std::string::npos)
       << topology;
@@ -160,7 +154,7 @@ TEST(Latex, TextIsEscaped) {
   EXPECT_EQ(latex_escaped("ε ≤ 2 × |κ|…"), "$\\varepsilon$ $\\le$ 2 $\\times$ \\textbar{}$\\kappa$\\textbar{}\\dots{}");
   EXPECT_EQ(latex_escaped("Müller"), "Müller");
   // All that the tables say of themselves is in characters that LaTeX knows.
-  for (const Results& results : {sample_results(), with_seeds(), with_grid()}) {
+  for (const Results& results : {results_for_latex(), with_seeds(), with_grid()}) {
     for (const Table& table : all_tables(results)) {
       for (const char c : latex(table)) EXPECT_LT(static_cast<unsigned char>(c), 0x80U) << table.title;
     }
@@ -207,7 +201,7 @@ TEST(Latex, CompilesWhereThereIsALatex) {
                                 "document.tex > output.txt";
     return std::system(command.c_str()) == 0;
   };
-  for (const Results& results : {sample_results(), with_seeds(), with_grid()}) {
+  for (const Results& results : {results_for_latex(), with_seeds(), with_grid()}) {
     write_text(folder / "tables.tex", latex_tables(results));
     EXPECT_TRUE(compiles(head + "\\input{tables}\\end{document}\n")) << read_text(folder / "output.txt");
   }

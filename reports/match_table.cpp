@@ -8,7 +8,6 @@ namespace isobench {
 
 namespace {
 
-double vertices(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
 double asked(const RunRecord& run) { return run.match->vertices; }
 double off_percent(const RunRecord& run) { return 100.0 * (vertices(run) / asked(run) - 1.0); }
 double scale(const RunRecord& run) { return run.match->scale; }

@@ -8,17 +8,18 @@
 #include "datasets/test_folder.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 #include "reports/report.h"
 #include "reports/sample_records.h"
 #include "reports/tables.h"
 #include "reports/test_browser.h"
 #include "reports/test_pixels.h"
+#include "reports/test_text.h"
 
 namespace isobench {
 namespace {
 
-constexpr const char* published = R"(source = "A paper"
+constexpr const char* published_figures = R"(source = "A paper"
 [[method]]
 printed = "ps"
 name = "ours"
@@ -49,15 +50,9 @@ std::filesystem::path made_report(const TestFolder& folder) {
     plan.push_back(record.request);
   }
   write_text(folder.path() / "plan.json", plan_to_json(plan));
-  write_text(folder.path() / "published.toml", published);
+  write_text(folder.path() / "published.toml", published_figures);
   EXPECT_EQ(write_report(folder.path()).missing, std::vector<std::string>{});
   return folder.path() / "report.html";
-}
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
 }
 
 // How many of the pixels of a page are those of a mesh: neither white nor grey.

@@ -9,19 +9,14 @@
 #include "reports/report.h"
 #include "reports/sample_records.h"
 #include "reports/tables.h"
+#include "reports/test_text.h"
 #include "reports/verdict.h"
 
 namespace isobench {
 namespace {
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 // Two methods on two datasets; one run timed out.
-Results sample_results() {
+Results results_for_page() {
   Results results;
   results.name = "test";
   results.title = "A <test> & more";
@@ -70,7 +65,7 @@ std::string first_unbalanced(const std::string& page) {
 
 TEST(Page, IsWholeAndAsksNoNetwork) {
   const TestFolder folder;
-  const std::string text = page(sample_results(), {}, folder.path());
+  const std::string text = page(results_for_page(), {}, folder.path());
   EXPECT_EQ(first_unbalanced(text), "");
   EXPECT_FALSE(asks_a_network(text));
   EXPECT_NE(text.find("<h1>A &lt;test&gt; &amp; more</h1>"), std::string::npos);
@@ -78,7 +73,7 @@ TEST(Page, IsWholeAndAsksNoNetwork) {
 
 TEST(Page, HoldsEveryTableWithWhatItSortsBy) {
   const TestFolder folder;
-  const Results results = sample_results();
+  const Results results = results_for_page();
   const std::string text = page(results, {}, folder.path());
   for (const Table& table : all_tables(results)) {
     EXPECT_NE(text.find("<h3>" + html_escaped(table.title) + "</h3>"), std::string::npos) << table.title;
@@ -88,7 +83,7 @@ TEST(Page, HoldsEveryTableWithWhatItSortsBy) {
 }
 
 TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
-  const std::string text = summary_html(sample_results());
+  const std::string text = summary_html(results_for_page());
   EXPECT_NE(text.find("Compared: 2 methods (ours, theirs) on 2 data sets (pelvis, skull), asked for ε 0.5, δ 0.3."),
             std::string::npos);
   EXPECT_NE(text.find("Matched: nothing."), std::string::npos);
@@ -98,7 +93,7 @@ TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
 }
 
 TEST(Page, NamesTheBestWithItsFlaws) {
-  Results results = sample_results();
+  Results results = results_for_page();
   results.records[1].measurement->topology.boundary_edges = 2;
   const Arrangement runs = arrange(results);
   const Question& worst = questions().front();
@@ -111,7 +106,7 @@ TEST(Page, NamesTheBestWithItsFlaws) {
 }
 
 TEST(Page, ShowsFailuresAndWhatIsNotDone) {
-  Results results = sample_results();
+  Results results = results_for_page();
   EXPECT_NE(gaps_html(results).find("not finished after 20 minutes"), std::string::npos);
   const TestFolder folder;
   EXPECT_EQ(page(results, {}, folder.path()).find("Half-finished"), std::string::npos);
@@ -124,9 +119,9 @@ TEST(Page, ShowsFailuresAndWhatIsNotDone) {
 }
 
 TEST(Page, StaysAPageForVeryManyRuns) {
-  Results results = sample_results();
+  Results results = results_for_page();
   const std::size_t usual = page(results, {}, TestFolder().path()).size();
-  RunRecord failed = sample_results().records.back();
+  RunRecord failed = results_for_page().records.back();
   for (std::uint64_t seed = 2; seed < 4000; ++seed) {
     results.records.push_back(seed % 2 == 0 ? results.records.front() : failed);
     results.records.back().request.seed = seed;
@@ -139,14 +134,14 @@ TEST(Page, StaysAPageForVeryManyRuns) {
 }
 
 TEST(Page, PutsEveryClaimUnderItsVerdict) {
-  const Results results = sample_results();
+  const Results results = results_for_page();
   const std::string text = claims_html(results);
   EXPECT_EQ(count_of(text, "<details class=\"claim\">"), results.published->claims.size());
   EXPECT_GE(count_of(text, "class=\"badge"), results.published->claims.size());
 }
 
 TEST(Page, FoldsTheProvenanceOfEachRun) {
-  const Results results = sample_results();
+  const Results results = results_for_page();
   const std::string text = provenance_html(results);
   EXPECT_EQ(count_of(text, "<details class=\"run\">"), results.records.size());
   EXPECT_NE(text.find("start = grid, fine, sweeps = 60"), std::string::npos);
@@ -155,7 +150,7 @@ TEST(Page, FoldsTheProvenanceOfEachRun) {
 }
 
 TEST(Page, CitesDataWithLicenceAndAcknowledgement) {
-  const std::string text = citations_html(sample_results());
+  const std::string text = citations_html(results_for_page());
   EXPECT_NE(text.find("CT scanner data courtesy of North Carolina Memorial Hospital"), std::string::npos);
   EXPECT_NE(text.find("Licence: free to redistribute with acknowledgement"), std::string::npos);
   EXPECT_NE(text.find("IEEE Transactions on Visualization and Computer Graphics"), std::string::npos);
@@ -177,7 +172,7 @@ TEST(Page, PutsFiguresUnderTheirNumbers) {
   folder.write("plots/radius-ratio-pelvis.svg", "<svg/>");
   exhibits.plots = {plot};
   exhibits.drawn = {plot.name};
-  const std::string text = page(sample_results(), exhibits, folder.path());
+  const std::string text = page(results_for_page(), exhibits, folder.path());
   EXPECT_EQ(first_unbalanced(text), "");
   EXPECT_EQ(count_of(text, "<h3 id=\"figure-"), 9U);
   EXPECT_EQ(count_of(text, "alt=\"pelvis: particles\""), 3U + 2U);  // Figure 6 shows the whole and a closer view
@@ -209,7 +204,7 @@ TEST(Page, OfManyRunsStaysUsable) {
 }
 
 TEST(Page, LeavesRunsForAFigureOutOfTheTables) {
-  Results results = sample_results();
+  Results results = results_for_page();
   for (const double epsilon : {1.0, 0.5}) {
     for (const double delta : {0.6, 0.3}) {
       RunRecord record = sample_record("box", "ours", "unfinished");
@@ -227,7 +222,7 @@ TEST(Page, LeavesRunsForAFigureOutOfTheTables) {
 }
 
 TEST(Page, EscapesWhatOthersWrote) {
-  Results results = sample_results();
+  Results results = results_for_page();
   results.records[3].reason = "<script>alert(1)</script>";
   results.records[0].notes = {"</details><b>"};
   const TestFolder folder;
@@ -246,7 +241,7 @@ TEST(Html, EncodesBytes) {
 // A results folder as a run leaves it, without meshes.
 std::filesystem::path stored(const TestFolder& folder) {
   std::vector<RunRequest> plan;
-  for (const RunRecord& record : sample_results().records) {
+  for (const RunRecord& record : results_for_page().records) {
     plan.push_back(record.request);
     std::filesystem::create_directories(folder.path() / record.request.run);
     write_record(record, folder.path() / record.request.run / "run.json");

@@ -11,15 +11,12 @@
 #include "reports/claims.h"
 #include "reports/html.h"
 #include "reports/page.h"
+#include "reports/table_parts.h"
 #include "reports/verdict.h"
 
 namespace isobench {
 
 namespace {
-
-std::string plural(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
 
 // A dozen names say what there is; more are a list to skip.
 std::string listed(const std::vector<std::string>& names) {

@@ -12,7 +12,7 @@
 #include "datasets/test_folder.h"
 #include "methods/mesh_checksum.h"
 #include "methods/mesh_files.h"
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 #include "reports/cameras.h"
 #include "reports/drawing.h"
 #include "reports/sample_records.h"

@@ -8,12 +8,13 @@
 #include "datasets/test_folder.h"
 #include "reports/gnuplot.h"
 #include "reports/sample_records.h"
+#include "reports/test_text.h"
 
 namespace isobench {
 namespace {
 
 // Two datasets, two methods; of one run of the four there is no mesh.
-Results sample_results() {
+Results results_for_plots() {
   Results results;
   results.name = "test";
   results.title = "A test";
@@ -26,16 +27,10 @@ Results sample_results() {
   return results;
 }
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
 
 TEST(Plots, RadiusRatiosOfAllMethodsLieOverEachOther) {
-  const Results results = sample_results();
+  const Results results = results_for_plots();
   const std::vector<Plot> plots = radius_ratio_plots(arrange(results));
   ASSERT_EQ(plots.size(), 2U);
   ASSERT_EQ(plots[0].series.size(), 2U);
@@ -50,7 +45,7 @@ TEST(Plots, RadiusRatiosOfAllMethodsLieOverEachOther) {
 }
 
 TEST(Plots, ALabelKeepsItsColour) {
-  Results results = sample_results();
+  Results results = results_for_plots();
   std::swap(results.records[3].status, results.records[0].status);
   results.records[3].measurement = results.records[1].measurement;
   results.records[0].measurement.reset();
@@ -76,7 +71,7 @@ TEST(Plots, RunsOfSeveralSeedsAreOneSeries) {
 }
 
 TEST(Plots, ValencesBeyondTheEndsAreInTheOutermostBars) {
-  Results results = sample_results();
+  Results results = results_for_plots();
   results.records[0].measurement->valence.counts = {0, 1, 0, 1, 0, 0, 4, 0, 0, 0, 0, 0, 2};
   const Plot plot = valence_plots(arrange(results)).front();
   EXPECT_EQ(plot.categories.front(), "≤ 3");
@@ -85,7 +80,7 @@ TEST(Plots, ValencesBeyondTheEndsAreInTheOutermostBars) {
 }
 
 TEST(Plots, StagesAddUpToTheSecondsOfTheRun) {
-  Results results = sample_results();
+  Results results = results_for_plots();
   results.records[0].stages = {
       {"mesh", 5.25, 9.5}, {"mesh/sizing", 2.0, 3.0}, {"mesh/sizing/limit", 1.5, 2.0}, {"mesh/relaxation", 3.0, 4.0}};
   const Plot plot = stage_plots(arrange(results)).front();
@@ -100,7 +95,7 @@ TEST(Plots, StagesAddUpToTheSecondsOfTheRun) {
 }
 
 TEST(Plots, EveryTraceHasItsPlot) {
-  Results results = sample_results();
+  Results results = results_for_plots();
   results.records[1].traces = {{"energy", {9.0, 8.0}}, {"moves", {1.0}}};
   const std::vector<Plot> plots = trace_plots(arrange(results));
   ASSERT_EQ(plots.size(), 3U);
@@ -110,7 +105,7 @@ TEST(Plots, EveryTraceHasItsPlot) {
 }
 
 TEST(Plots, NamesAreFitForFilesAndUnique) {
-  Results results = sample_results();
+  Results results = results_for_plots();
   for (RunRecord& record : results.records) record.request.dataset = "../a b/" + record.request.dataset;
   std::vector<std::string> names;
   for (const Plot& plot : all_plots(results)) names.push_back(plot.name);
@@ -123,7 +118,7 @@ TEST(Plots, NamesAreFitForFilesAndUnique) {
 TEST(Plots, AreDrawnWithAllTheirMarks) {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
   const TestFolder folder;
-  Results results = sample_results();
+  Results results = results_for_plots();
   results.records[0].request.label = "<ours> & 100 %_^{x}";
   const std::vector<Plot> plots = all_plots(results);
   write_text(folder.path() / "left-over.svg", "of an earlier report");
@@ -145,7 +140,7 @@ TEST(Plots, AreDrawnWithAllTheirMarks) {
 TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
   const TestFolder folder;
-  Results results = sample_results();
+  Results results = results_for_plots();
   draw(all_plots(results), folder.path());
   const std::filesystem::path first = folder.path() / "radius-ratio-pelvis.svg";
   const std::string before = read_text(first);
@@ -161,7 +156,7 @@ TEST(Plots, WithoutGnuplotTheScriptsAreThereAndTheRemedy) {
   const TestFolder folder;
   const std::string path = std::getenv("PATH");
   setenv("PATH", folder.path().c_str(), 1);
-  const Drawn drawn = draw(all_plots(sample_results()), folder.path());
+  const Drawn drawn = draw(all_plots(results_for_plots()), folder.path());
   setenv("PATH", path.c_str(), 1);
   EXPECT_TRUE(drawn.names.empty());
   EXPECT_NE(drawn.missing.find("apt-get install gnuplot-nox"), std::string::npos);

@@ -7,16 +7,10 @@
 #include <sstream>
 
 #include "reports/sample_records.h"
+#include "reports/test_text.h"
 
 namespace isobench {
 namespace {
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
-}
 
 // RFC 4180, for one line.
 std::vector<std::string> cells(const std::string& line) {

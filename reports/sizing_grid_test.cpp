@@ -37,7 +37,7 @@ std::string grid_text(const Results& results) {
   return text;
 }
 
-const Figure triangles = [](const RunRecord& r) { return static_cast<double>(r.measurement->triangles); };
+const Figure triangle_count = [](const RunRecord& r) { return static_cast<double>(r.measurement->triangles); };
 const Figure smallest = [](const RunRecord& r) { return r.measurement->radius_ratio.min; };
 const Figure distance = [](const RunRecord& r) { return r.measurement->distance.mean; };
 
@@ -62,7 +62,7 @@ TEST(SizingGrid, TrendsAreOfMediansAndOfFinishedCells) {
   const auto with = [&results](Along along, const Figure& figure) {
     return trend(sizing_grids(results).at(0), along, figure);
   };
-  EXPECT_EQ(with(Along::epsilon, triangles).rises, 4);
+  EXPECT_EQ(with(Along::epsilon, triangle_count).rises, 4);
   EXPECT_EQ(with(Along::delta, distance).rises + with(Along::delta, distance).falls, 0);
   // One bad seed moves no median; two do.
   results.records[3].measurement->radius_ratio.min = 0.0;  // ε 1, δ 0.25

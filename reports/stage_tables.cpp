@@ -10,7 +10,7 @@ namespace isobench {
 namespace {
 
 // The whole of the method, its sizing field included, of which "mesh/relaxation" and the like are parts.
-const std::string whole = "mesh";
+const std::string whole_method = "mesh";
 
 const StageTime* find_stage(const RunRecord& run, const std::string& name) {
   const auto found = std::find_if(run.stages.begin(), run.stages.end(),
@@ -24,13 +24,11 @@ double wall_seconds(const RunRecord& run, const std::string& name) {
 }
 
 double parallel(const RunRecord& run) {
-  const StageTime* stage = find_stage(run, whole);
+  const StageTime* stage = find_stage(run, whole_method);
   return stage == nullptr ? std::numeric_limits<double>::quiet_NaN() : stage->cpu_seconds / stage->wall_seconds;
 }
 
-double vertices(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
-
-double microseconds_a_vertex(const RunRecord& run) { return 1e6 * wall_seconds(run, whole) / vertices(run); }
+double microseconds_a_vertex(const RunRecord& run) { return 1e6 * wall_seconds(run, whole_method) / vertices(run); }
 
 // The stages that a method's finished runs went through, without those within others, in the order in which they
 // ended.
@@ -41,8 +39,8 @@ std::vector<std::string> stages_of(const Arrangement& runs, const std::string& m
     for (const auto& [dataset, group] : variant.runs) {
       for (const RunRecord* run : finished(group)) {
         for (const StageTime& stage : run->stages) {
-          const bool part =
-              stage.name.starts_with(whole + "/") && stage.name.find('/', whole.size() + 1) == std::string::npos;
+          const bool part = stage.name.starts_with(whole_method + "/") &&
+                            stage.name.find('/', whole_method.size() + 1) == std::string::npos;
           if (part && std::find(names.begin(), names.end(), stage.name) == names.end()) names.push_back(stage.name);
         }
       }
@@ -64,7 +62,7 @@ TableRow stage_row(const Arrangement& runs, const std::string& dataset, const Va
              : TableCell("–"));
   }
   row.push_back(over_timed(
-      runs, group, [](const RunRecord& run) { return wall_seconds(run, whole); }, to_significant(3)));
+      runs, group, [](const RunRecord& run) { return wall_seconds(run, whole_method); }, to_significant(3)));
   row.push_back(over_timed(runs, group, parallel, to_places(2)));
   row.push_back(over_timed(runs, group, microseconds_a_vertex, to_significant(3)));
   return row;
@@ -84,7 +82,7 @@ std::vector<Table> stage_tables(const Arrangement& runs) {
     Table table;
     table.title = "Seconds by stage: " + method;
     table.header = {"Data", "Method", "vertices"};
-    for (const std::string& name : stages) table.header.push_back(name.substr(whole.size() + 1));
+    for (const std::string& name : stages) table.header.push_back(name.substr(whole_method.size() + 1));
     table.header.insert(table.header.end(), {"in all", "CPU / wall", "µs a vertex"});
     table.remarks = {
         "Wall seconds; what lies between stages is in the last sum alone. CPU / wall is how many cores were at work, "

@@ -143,4 +143,10 @@ std::vector<const PublishedMethod*> published_alone(const Results& results, cons
 
 std::string heading(const std::string& title) { return "## " + title + "\n\n"; }
 
+std::string plural(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+double vertices(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
+
 }  // namespace isobench

@@ -1,6 +1,7 @@
 // What the tables have in common.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ std::string source_line(const Results& results, const std::string& table);
 /// Published methods that have figures in this table but no run of ours beside them.
 std::vector<const PublishedMethod*> published_alone(const Results& results, const Arrangement& runs,
                                                     const std::string& table);
+
+/// "1 run", "3 runs".
+std::string plural(std::size_t count, const std::string& thing);
+/// Of a finished run.
+double vertices(const RunRecord& run);
 
 /// "## title" and a blank line.
 std::string heading(const std::string& title);

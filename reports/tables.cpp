@@ -52,7 +52,7 @@ Table table_of_runs(const Arrangement& runs, const std::string& title, const std
 
 // A figure of the topology, all of which are whole numbers.
 template <class Whole>
-Column whole(const std::string& title, Whole&& figure) {
+Column counted(const std::string& title, Whole&& figure) {
   return {title, [figure](const RunRecord& r) { return static_cast<double>(figure(*r.measurement)); }, as_number()};
 }
 
@@ -140,15 +140,15 @@ Table topology_table(const Arrangement& runs) {
   using M = Measurement;
   Table table = table_of_runs(
       runs, "Topology",
-      {whole("components", [](const M& m) { return m.topology.components; }),
-       whole("reference", [](const M& m) { return m.reference.components; }),
-       whole("χ", [](const M& m) { return m.topology.euler; }),
-       whole("reference", [](const M& m) { return m.reference.euler; }),
-       whole("k", [](const M& m) { return m.reference.k; }),
-       whole("boundary edges", [](const M& m) { return m.topology.boundary_edges; }),
-       whole("pinches", [](const M& m) { return m.topology.nonmanifold_edges + m.topology.nonmanifold_vertices; }),
-       whole("misoriented edges", [](const M& m) { return m.topology.misoriented_edges; }),
-       whole("self-intersections", [](const M& m) { return m.topology.self_intersections; })},
+      {counted("components", [](const M& m) { return m.topology.components; }),
+       counted("reference", [](const M& m) { return m.reference.components; }),
+       counted("χ", [](const M& m) { return m.topology.euler; }),
+       counted("reference", [](const M& m) { return m.reference.euler; }),
+       counted("k", [](const M& m) { return m.reference.k; }),
+       counted("boundary edges", [](const M& m) { return m.topology.boundary_edges; }),
+       counted("pinches", [](const M& m) { return m.topology.nonmanifold_edges + m.topology.nonmanifold_vertices; }),
+       counted("misoriented edges", [](const M& m) { return m.topology.misoriented_edges; }),
+       counted("self-intersections", [](const M& m) { return m.topology.self_intersections; })},
       false);
   table.remarks = {"Pinches are non-manifold edges and vertices together."};
   table.definitions = {"components",        "components_reference", "euler",
@@ -169,7 +169,7 @@ Table distance_table(const Arrangement& runs) {
        {"vertices max mm", [](const R& r) { return r.measurement->distance.vertex_max; }, to_significant(3)},
        {"from F = c mean mm", [](const R& r) { return r.measurement->distance_from_surface.mean; }, to_significant(3)},
        {"from F = c max mm", [](const R& r) { return r.measurement->distance_from_surface.max; }, to_significant(3)},
-       whole("not projected", [](const Measurement& m) { return m.distance.unprojected; })});
+       counted("not projected", [](const Measurement& m) { return m.distance.unprojected; })});
   table.definitions = {"distance_mean", "distance_max", "distance_vertex_max", "distance_from_surface_mean",
                        "distance_from_surface_max"};
   return table;

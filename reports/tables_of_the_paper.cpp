@@ -31,7 +31,6 @@ TableCell with_published_sizing(TableCell cell, const Results& results, const Va
   return cell;
 }
 
-double vertices(const RunRecord& r) { return static_cast<double>(r.measurement->vertices); }
 double triangles(const RunRecord& r) { return static_cast<double>(r.measurement->triangles); }
 double seconds(const RunRecord& r) { return r.seconds_total; }
 

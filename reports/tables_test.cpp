@@ -34,7 +34,7 @@ std::vector<std::string> find_row(const Table& table, const std::vector<std::str
   return find_row(markdown(table), start);
 }
 
-Results sample_results() {
+Results results_for_tables() {
   Results results;
   results.name = "test";
   results.title = "A test";
@@ -50,7 +50,7 @@ Results sample_results() {
 }
 
 TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
-  Results results = sample_results();
+  Results results = results_for_tables();
   // The sample has one stage beside the whole; stages within others and those of measuring have no column.
   EXPECT_TRUE(stage_tables(arrange(results)).empty());
   results.records[0].stages = {{"prepare", 9.0, 9.0},    {"mesh/sizing", 0.5, 1.0}, {"mesh/seeds/inner", 0.75, 1.0},
@@ -68,7 +68,7 @@ TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
 }
 
 TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
-  const Results results = sample_results();
+  const Results results = results_for_tables();
   const std::string table = markdown(radius_ratio_table(results, arrange(results)));
   const auto particles = find_row(table, {"particles"});
   EXPECT_EQ(particles[1], "0.300 / 0.945 (published 0.40 / 0.92)");
@@ -87,7 +87,7 @@ TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
 }
 
 TEST(Tables, SizesSayWhatTheyAreOf) {
-  const Results results = sample_results();
+  const Results results = results_for_tables();
   const auto row = find_row(sizes_table(results, arrange(results)), {"pelvis", "particles"});
   EXPECT_EQ(row[2], "64 × 32 × 16 (published 271 × 390 × 282 voxels)");
   EXPECT_EQ(row[3], "0.5, 0.3 (published 0.75, 0.5)");
@@ -97,7 +97,7 @@ TEST(Tables, SizesSayWhatTheyAreOf) {
 }
 
 TEST(Tables, ValencesHaveTheirAverages) {
-  Results results = sample_results();
+  Results results = results_for_tables();
   results.records[2].measurement->valence.v6_percent = 66.0;
   const Table table = valence_table(results, arrange(results));
   EXPECT_EQ(find_row(table, {"pelvis", "particles"})[4], "64.00");
@@ -109,7 +109,7 @@ TEST(Tables, ValencesHaveTheirAverages) {
 }
 
 TEST(Tables, TopologyCountsPinchesAndMarksThem) {
-  const Results results = sample_results();
+  const Results results = results_for_tables();
   const Table table = topology_table(arrange(results));
   const auto whole = find_row(table, {"pelvis", "particles"});
   const auto pinched = find_row(table, {"skull", "particles †"});
@@ -125,7 +125,7 @@ TEST(Tables, TopologyCountsPinchesAndMarksThem) {
 }
 
 TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
-  Results results = sample_results();
+  Results results = results_for_tables();
   results.records[2].measurement->edges.own_exceed_triangle_percent = 0.002;
   const auto row = find_row(edge_length_table(results, arrange(results)), {"skull", "particles †"});
   EXPECT_EQ(row[2], "1.250");
@@ -135,14 +135,14 @@ TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
 }
 
 TEST(Tables, CostIsInSeconds) {
-  const Results results = sample_results();
+  const Results results = results_for_tables();
   const auto row = find_row(cost_table(arrange(results)), {"pelvis", "particles"});
   EXPECT_EQ((std::vector<std::string>(row.begin() + 2, row.begin() + 7)),
             (std::vector<std::string>{"1.50", "2.00", "3.25", "5.25", "321"}));
 }
 
 TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
-  Results results = sample_results();
+  Results results = results_for_tables();
   for (RunRecord& record : results.records) {
     record.environment.cpu = "slow";
     record.environment.cores = 4;
@@ -169,7 +169,7 @@ TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
 }
 
 TEST(Tables, WhatIsMissingIsSaid) {
-  Results results = sample_results();
+  Results results = results_for_tables();
   results.missing.push_back(sample_record("vessel", "particles").request);
   results.unreadable.push_back("results/x/run.json: not a readable run record");
   const std::string text = markdown_tables(results);
@@ -297,7 +297,7 @@ TEST(Tables, SayWhatWasMatchedAndWhatCouldNotBe) {
 }
 
 TEST(Tables, WithoutPublishedFiguresNothingIsClaimed) {
-  Results results = sample_results();
+  Results results = results_for_tables();
   results.published.reset();
   EXPECT_EQ(markdown_tables(results).find("ublished"), std::string::npos);
 }

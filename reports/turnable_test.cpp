@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "metrics/sample_meshes.h"
+#include "methods/sample_meshes.h"
 
 namespace isobench {
 namespace {

@@ -21,7 +21,7 @@ Isosurface plane() {
   return Isosurface(std::move(v), 0.0);
 }
 
-Vertex at(double x, double y) { return {{x, y, 3.5}, {0.0, 0.0, 1.0}, 1.0}; }
+Vertex on_rim(double x, double y) { return {{x, y, 3.5}, {0.0, 0.0, 1.0}, 1.0}; }
 
 /// Signed, seen from outside.
 double area(const Front& front) {
@@ -36,7 +36,7 @@ double area(const Front& front) {
 TEST(AdvancingFrontFailsafe, CutsTheSharpestCornerFirst) {
   Front front(0.1);
   // A kite: the corner at (6, 2) is the sharpest, and cut off; a cut through it would leave two slivers.
-  front.boundary({at(6, 2), at(7, 7), at(6, 8), at(5, 7)});
+  front.boundary({on_rim(6, 2), on_rim(7, 7), on_rim(6, 8), on_rim(5, 7)});
   const auto holes = close_holes(plane(), front);
   ASSERT_EQ(holes.size(), 1U);
   EXPECT_EQ(holes[0].edges, 4U);
@@ -55,7 +55,7 @@ TEST(AdvancingFrontFailsafe, CutsTheSharpestCornerFirst) {
 // signed areas add up.
 TEST(AdvancingFrontFailsafe, FillsAHoleWithAReflexCorner) {
   Front front(0.1);
-  front.boundary({at(2, 2), at(8, 2), at(8, 4), at(4, 4), at(4, 8), at(2, 8)});
+  front.boundary({on_rim(2, 2), on_rim(8, 2), on_rim(8, 4), on_rim(4, 4), on_rim(4, 8), on_rim(2, 8)});
   const auto holes = close_holes(plane(), front);
   ASSERT_EQ(holes.size(), 1U);
   EXPECT_EQ(holes[0].edges, 6U);
@@ -66,8 +66,8 @@ TEST(AdvancingFrontFailsafe, FillsAHoleWithAReflexCorner) {
 
 TEST(AdvancingFrontFailsafe, ClosesEveryLoop) {
   Front front(0.1);
-  front.boundary({at(1, 1), at(2, 1), at(1, 2)});
-  front.boundary({at(5, 5), at(7, 5), at(7, 7), at(5, 7)});
+  front.boundary({on_rim(1, 1), on_rim(2, 1), on_rim(1, 2)});
+  front.boundary({on_rim(5, 5), on_rim(7, 5), on_rim(7, 7), on_rim(5, 7)});
   const auto holes = close_holes(plane(), front);
   ASSERT_EQ(holes.size(), 2U);
   EXPECT_EQ(holes[0].triangles + holes[1].triangles, 3U);

@@ -7,7 +7,7 @@
 namespace isobench::advancing_front {
 namespace {
 
-Vertex at(double x, double y, double z = 0.0) { return {{x, y, z}, {0.0, 0.0, 1.0}, 1.0}; }
+Vertex upright(double x, double y, double z = 0.0) { return {{x, y, z}, {0.0, 0.0, 1.0}, 1.0}; }
 
 MeshFacts facts_of(const Front& front) {
   TriangleMesh mesh;
@@ -32,15 +32,15 @@ using Loop = std::vector<std::uint32_t>;
 
 TEST(Front, ASeedIsRoundedTheOtherWay) {
   Front front(0.1);
-  const int first = front.seed({at(0, 0), at(1, 0), at(0, 1)});
+  const int first = front.seed({upright(0, 0), upright(1, 0), upright(0, 1)});
   EXPECT_EQ(loop_of(front, first), (Loop{0, 2, 1}));
   EXPECT_EQ(front.alive(), 3U);
 }
 
 TEST(Front, GrowsAndConnectsToAClosedTetrahedron) {
   Front front(0.1);
-  const int first = front.seed({at(0, 0), at(0, 1), at(1, 0)});  // seen from below
-  const int made = front.grow(first, at(0.3, 0.3, 1.0));
+  const int first = front.seed({upright(0, 0), upright(0, 1), upright(1, 0)});  // seen from below
+  const int made = front.grow(first, upright(0.3, 0.3, 1.0));
   EXPECT_EQ(loop_of(front, first), (Loop{0, 3, 2, 1}));
   std::vector<int> changed;
   EXPECT_EQ(front.connect(front.next(made), made, changed), Link::ear);
@@ -56,7 +56,8 @@ TEST(Front, GrowsAndConnectsToAClosedTetrahedron) {
 
 TEST(Front, ConnectingAcrossALoopSplitsIt) {
   Front front(0.1);
-  const int first = front.boundary({at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(1, 1), at(0, 1)});
+  const int first =
+      front.boundary({upright(0, 0), upright(1, 0), upright(2, 0), upright(2, 1), upright(1, 1), upright(0, 1)});
   const int opposite = front.previous(front.previous(first));  // (1, 1)
   std::vector<int> changed;
   EXPECT_EQ(front.connect(first, opposite, changed), Link::split);
@@ -68,8 +69,9 @@ TEST(Front, ConnectingAcrossALoopSplitsIt) {
 
 TEST(Front, ConnectingTwoLoopsMergesThem) {
   Front front(0.1);
-  const int outer = front.boundary({at(0, 0), at(9, 0), at(9, 9), at(0, 9)});
-  const int inner = front.boundary({at(3, 3), at(3, 6), at(6, 6), at(6, 3)});  // what is not meshed lies outside it
+  const int outer = front.boundary({upright(0, 0), upright(9, 0), upright(9, 9), upright(0, 9)});
+  const int inner = front.boundary(
+      {upright(3, 3), upright(3, 6), upright(6, 6), upright(6, 3)});  // what is not meshed lies outside it
   std::vector<int> changed;
   EXPECT_EQ(front.connect(outer, inner, changed), Link::merge);
   EXPECT_EQ(loop_of(front, outer), (Loop{0, 4, 5, 6, 7, 4, 1, 2, 3}));
@@ -77,8 +79,8 @@ TEST(Front, ConnectingTwoLoopsMergesThem) {
 
 TEST(Front, RefusesEdgesThatHaveTheirTwoTrianglesOrTwoGaps) {
   Front front(0.1);
-  const int first = front.seed({at(0, 0), at(0, 1), at(1, 0)});
-  const int made = front.grow(first, at(0.3, 0.3, 1.0));
+  const int first = front.seed({upright(0, 0), upright(0, 1), upright(1, 0)});
+  const int made = front.grow(first, upright(0.3, 0.3, 1.0));
   // 0 → 3 → 2 → 1: the edge 0–2 lies between two triangles already, so the corner at 3 must not be cut off again.
   EXPECT_FALSE(front.connectable(first, front.next(made)));
   EXPECT_TRUE(front.connectable(front.next(made), made));
@@ -87,7 +89,7 @@ TEST(Front, RefusesEdgesThatHaveTheirTwoTrianglesOrTwoGaps) {
 
 TEST(Front, AnAbandonedLoopIsOffTheFront) {
   Front front(0.1);
-  const int first = front.boundary({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+  const int first = front.boundary({upright(0, 0), upright(1, 0), upright(1, 1), upright(0, 1)});
   EXPECT_EQ(front.abandon(first), 4U);
   EXPECT_EQ(front.alive(), 0U);
   std::vector<int> found;
@@ -97,24 +99,24 @@ TEST(Front, AnAbandonedLoopIsOffTheFront) {
 
 TEST(Front, OnlyVerticesLeftBehindCountAsMeshed) {
   Front front(0.1);
-  const int first = front.seed({at(0, 0), at(0, 1), at(1, 0)});
-  EXPECT_FALSE(front.is_behind(at(0.1, 0.0), 0.5, 0.1));  // still on the rim
-  const int made = front.grow(first, at(0.3, 0.3, 1.0));
+  const int first = front.seed({upright(0, 0), upright(0, 1), upright(1, 0)});
+  EXPECT_FALSE(front.is_behind(upright(0.1, 0.0), 0.5, 0.1));  // still on the rim
+  const int made = front.grow(first, upright(0.3, 0.3, 1.0));
   std::vector<int> changed;
   front.connect(front.next(made), made, changed);
   front.connect(changed[0], front.previous(changed[0]), changed);
-  EXPECT_TRUE(front.is_behind(at(0.1, 0.0), 0.5, 0.1));
-  Vertex turned = at(0.1, 0.0);
+  EXPECT_TRUE(front.is_behind(upright(0.1, 0.0), 0.5, 0.1));
+  Vertex turned = upright(0.1, 0.0);
   turned.normal = -turned.normal;
   EXPECT_FALSE(front.is_behind(turned, 0.5, 0.1));  // another sheet
 }
 
 TEST(Front, WhatWasMadeLastCanBeTakenBack) {
   Front front(0.1);
-  const int kept = front.seed({at(0, 0), at(0, 1), at(1, 0)});
+  const int kept = front.seed({upright(0, 0), upright(0, 1), upright(1, 0)});
   const std::size_t triangles = front.triangles().size(), vertices = front.vertices().size();
-  const int second = front.seed({at(5, 0), at(5, 1), at(6, 0)});
-  front.grow(second, at(5.3, 0.3, 1.0));
+  const int second = front.seed({upright(5, 0), upright(5, 1), upright(6, 0)});
+  front.grow(second, upright(5.3, 0.3, 1.0));
   EXPECT_TRUE(front.is_open_from(vertices));
   front.take_back(triangles, vertices);
   EXPECT_FALSE(front.is_open_from(vertices));
@@ -122,8 +124,8 @@ TEST(Front, WhatWasMadeLastCanBeTakenBack) {
   EXPECT_EQ(loop_of(front, kept), (Loop{0, 2, 1}));
   EXPECT_EQ(front.alive(), 3U);
   // Their vertices still say that this place was tried.
-  EXPECT_TRUE(front.covers(at(5.1, 0.1), 0.5, 0.1));
-  EXPECT_FALSE(front.covers(at(9.0, 0.1), 0.5, 0.1));
+  EXPECT_TRUE(front.covers(upright(5.1, 0.1), 0.5, 0.1));
+  EXPECT_FALSE(front.covers(upright(9.0, 0.1), 0.5, 0.1));
 }
 
 }  // namespace

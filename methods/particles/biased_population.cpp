@@ -14,8 +14,8 @@ namespace isobench::particles {
 
 namespace {
 
-constexpr double split_below = -0.35;
-constexpr double delete_above = 0.75;
+constexpr double split_threshold = -0.35;
+constexpr double delete_threshold = 0.75;
 constexpr double least_distance = 0.5;  // of a new particle from any other, in units of h
 
 /// U(0, 1) of each particle of this round.
@@ -42,7 +42,7 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
   std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
   for (std::uint32_t i = 0; i < particles.size(); ++i) {
     const double own = bias.of(i, energy[i]);
-    if (own > delete_above) queue.emplace(own, i);
+    if (own > delete_threshold) queue.emplace(own, i);
   }
   std::vector<char> deleted(particles.size(), 0);
   while (!queue.empty()) {
@@ -50,7 +50,7 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
     queue.pop();
     const double now = bias.of(i, energy[i]);
     if (now < value) {  // neighbours went in the meantime
-      if (now > delete_above) queue.emplace(now, i);
+      if (now > delete_threshold) queue.emplace(now, i);
       continue;
     }
     deleted[i] = 1;
@@ -117,7 +117,7 @@ PopulationChange control_population_by_bias(const Isosurface& surface, const Spa
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (deleted[i] != 0) continue;
     points.push_back(particles.points[i]);
-    if (energy[i] > 0.0 && bias.of(i, energy[i]) >= split_below) continue;
+    if (energy[i] > 0.0 && bias.of(i, energy[i]) >= split_threshold) continue;
     for (const Eigen::Vector3d& child : children(surface, particles, ring(particles, near, i), i, bias)) {
       born.push_back(child);
     }

@@ -17,8 +17,8 @@ namespace {
 
 using Facet = LabelledDelaunay::Facet;
 
-constexpr double least_cosine = 0.5;     // facets tilted further from a corner's normal are wrong
-constexpr double least_distance = 0.15;  // of a new particle to others, times the spacing there
+constexpr double least_facet_cosine = 0.5;  // facets tilted further from a corner's normal are wrong
+constexpr double least_gap = 0.15;          // of a new particle to others, times the spacing there
 
 // Which facets each particle is a corner of.
 struct Fans {
@@ -63,7 +63,7 @@ bool is_tilted(const Facet& facet, const Particles& particles) {
   const Eigen::Vector3d normal =
       (particles.points[b] - particles.points[a]).cross(particles.points[c] - particles.points[a]).normalized();
   return std::any_of(facet.corners.begin(), facet.corners.end(),
-                     [&](std::uint32_t corner) { return normal.dot(particles.normals[corner]) < least_cosine; });
+                     [&](std::uint32_t corner) { return normal.dot(particles.normals[corner]) < least_facet_cosine; });
 }
 
 // The part of a dual edge that lies in the volume, as a start and a number of steps of at most a quarter voxel.
@@ -213,7 +213,7 @@ class Curing {
       const Facet& facet = facets_[n];
       for (const Eigen::Vector3d& x : points_on_dual(facet, surface_)) {
         const bool far = std::all_of(facet.corners.begin(), facet.corners.end(), [&](std::uint32_t corner) {
-          return (particles_.points[corner] - x).norm() > least_distance * particles_.spacing[corner];
+          return (particles_.points[corner] - x).norm() > least_gap * particles_.spacing[corner];
         });
         if (far) added_.push_back(x);
       }
@@ -245,15 +245,14 @@ class Curing {
       const double angle = 2.0 * M_PI * corner / corners;
       const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
       const auto foot = surface_.project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
-      if (foot && (*foot - particles_.points[n]).norm() > least_distance * particles_.spacing[n])
-        added_.push_back(*foot);
+      if (foot && (*foot - particles_.points[n]).norm() > least_gap * particles_.spacing[n]) added_.push_back(*foot);
     }
   }
 
   // Of those that are to be added: each that no earlier one is as good as at.
   std::vector<Eigen::Vector3d> thinned() const {
     std::vector<double> reach(added_.size());
-    for (std::size_t n = 0; n < added_.size(); ++n) reach[n] = least_distance * spacing_(added_[n]);
+    for (std::size_t n = 0; n < added_.size(); ++n) reach[n] = least_gap * spacing_(added_[n]);
     const NeighbourLists near = find_neighbours(added_, reach);
     std::vector<char> kept(added_.size(), 0);
     std::vector<Eigen::Vector3d> result;

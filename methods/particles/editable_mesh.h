@@ -13,8 +13,9 @@ namespace isobench::particles {
 
 /// Three half-edges a triangle: half-edge e belongs to triangle e/3 and runs from its origin to the next one's.
 ///
-/// Where the triangles do not form one closed fan around a vertex (a border, a pinch), the vertex is fixed: it stays
-/// where it is, and no operation takes it away. That makes a piece cut out of a mesh a mesh of its own.
+/// Where the triangles do not form one closed fan around a vertex (a border, a pinch), or where fix() says so, the
+/// vertex is fixed: it stays where it is, and no operation takes it away. That makes a piece cut out of a mesh a mesh
+/// of its own.
 class EditableMesh {
  public:
   using Index = std::uint32_t;
@@ -32,6 +33,8 @@ class EditableMesh {
   std::size_t half_edge_count() const { return origin_.size(); }
   bool alive(Index v) const { return out_[v] != none; }
   bool fixed(Index v) const { return fixed_[v] != 0; }
+  /// Makes v one of the fixed vertices. Where all corners are, triangles stay as they are.
+  void fix(Index v) { fixed_[v] = 1; }
   bool movable(Index v) const { return alive(v) && !fixed(v); }
   bool triangle_alive(Index t) const { return origin_[3 * t] != none; }
   Triangle triangle(Index t) const { return {origin_[3 * t], origin_[3 * t + 1], origin_[3 * t + 2]}; }

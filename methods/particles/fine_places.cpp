@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double farthest = 4.0;  // voxels: how far a place reaches
+constexpr double farthest_reach = 4.0;  // voxels: how far a place reaches
 
 struct Candidate {
   Vector3d point;
@@ -63,7 +63,7 @@ FinePlaces::FinePlaces(const Isosurface& surface, std::vector<CriticalPoint> poi
       delta_(delta),
       least_(least),
       voxel_(surface.voxel()),
-      brick_(farthest * surface.voxel()) {
+      brick_(farthest_reach * surface.voxel()) {
   bricks_ = (surface.extent().array() / brick_).floor().cast<int>() + 1;
   list_of_brick_.assign(static_cast<std::size_t>(bricks_.prod()), -1);
   const Vector3d reach = Vector3d::Constant(brick_);
@@ -102,7 +102,7 @@ double FinePlaces::bound(const Vector3d& x) const {
   if (list < 0) return bound;
   for (const std::uint32_t n : lists_[static_cast<std::size_t>(list)]) {
     const double away = (x - points_[n].position).norm();
-    if (away > farthest * voxel_) continue;
+    if (away > farthest_reach * voxel_) continue;
     const double beyond = std::max(0.0, away / voxel_ - 1.0);
     bound = std::min(bound, edge_at(n) + delta_ * away + 0.125 * beyond * beyond * voxel_);
   }
@@ -111,7 +111,7 @@ double FinePlaces::bound(const Vector3d& x) const {
 
 void add_seeds_at(const FinePlaces& places, const Isosurface& surface, const Spacing& spacing, std::uint64_t seed,
                   std::vector<Vector3d>& seeds) {
-  const double reach = 0.5 * farthest * surface.voxel();
+  const double reach = 0.5 * farthest_reach * surface.voxel();
   std::vector<std::vector<Candidate>> candidates(places.points().size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t n) {
     const CriticalPoint& point = places.points()[n];

@@ -2,11 +2,16 @@
 
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 #include "methods/particles/patch.h"
 #include "methods/particles/smoothing.h"
 #include "methods/particles/valence_edits.h"
+#include "methods/self_intersections.h"
 
 namespace isobench::particles {
 
@@ -37,12 +42,7 @@ void improve_tail(const MeshGround& ground, EditableMesh& mesh, Monitor& monitor
   monitor.set("finish/places left", static_cast<double>(count_bad_places(ground, mesh, ShapeGoal{})));
 }
 
-}  // namespace
-
-TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
-                    Monitor& monitor) {
-  const MeshGround ground{surface, sizing};
-  EditableMesh edited = editable(surface, mesh);
+void improve_everywhere(const MeshGround& ground, EditableMesh& edited, int rounds, Monitor& monitor) {
   for (int round = 0; round < rounds; ++round) {
     monitor.progress(static_cast<double>(round) / static_cast<double>(rounds + 2));
     {
@@ -64,8 +64,69 @@ TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const 
     const auto stage = monitor.stage("tail");
     improve_tail(ground, edited, monitor);
   }
-  project_all(surface, edited);
-  return edited.triangle_mesh();
+  project_all(ground.surface, edited);
+}
+
+using Meeting = std::array<std::uint32_t, 2>;
+
+// The pairs of triangles that meet, without those that were given so: whose corners are all kept.
+std::vector<Meeting> made_here(const EditableMesh& edited, const std::vector<std::uint8_t>& kept,
+                               const TriangleMesh& finished) {
+  std::vector<Meeting> pairs = self_intersections(finished);
+  if (pairs.empty()) return pairs;
+  std::vector<std::uint8_t> as_given;
+  for (EditableMesh::Index v = 0; v < edited.vertex_count(); ++v) {
+    if (edited.alive(v)) as_given.push_back(v < kept.size() ? kept[v] : 0);
+  }
+  const auto is_given = [&](std::uint32_t triangle) {
+    const Triangle& corners = finished.triangles[triangle];
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return as_given[c] != 0; });
+  };
+  std::erase_if(pairs, [&](const Meeting& pair) { return is_given(pair[0]) && is_given(pair[1]); });
+  return pairs;
+}
+
+// Marks the vertices of `mesh` within `reach` of a triangle of `other`.
+void mark_near(const TriangleMesh& mesh, const TriangleMesh& other, std::uint32_t triangle, double reach,
+               std::vector<std::uint8_t>& marks) {
+  Eigen::AlignedBox3d box;
+  for (const std::uint32_t corner : other.triangles[triangle]) box.extend(other.vertices[corner]);
+  for (std::size_t v = 0; v < marks.size(); ++v) {
+    if (box.squaredExteriorDistance(mesh.vertices[v]) <= reach * reach) marks[v] = 1;
+  }
+}
+
+double longest_edge(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const auto length = [&](std::uint32_t u, std::uint32_t v) { return (mesh.vertices[u] - mesh.vertices[v]).norm(); };
+  return std::max({length(a, b), length(b, c), length(c, a)});
+}
+
+}  // namespace
+
+TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
+                    Monitor& monitor) {
+  const MeshGround ground{surface, sizing};
+  std::vector<std::uint8_t> kept(mesh.vertices.size(), 0);  // of the given mesh: vertices that stay as they are
+  constexpr int rollbacks = 5;
+  for (int attempt = 0; attempt < rollbacks; ++attempt) {
+    EditableMesh edited = editable(surface, mesh);
+    for (EditableMesh::Index v = 0; v < kept.size(); ++v) {
+      if (kept[v] != 0) edited.fix(v);
+    }
+    improve_everywhere(ground, edited, rounds, monitor);
+    TriangleMesh finished = edited.triangle_mesh();
+    const auto stage = monitor.stage("intersections");
+    const std::vector<Meeting> made = made_here(edited, kept, finished);
+    if (made.empty()) return finished;
+    monitor.add("finish/intersections rolled back", static_cast<double>(made.size()));
+    for (const Meeting& pair : made) {
+      for (const std::uint32_t triangle : pair) {
+        mark_near(mesh, finished, triangle, std::exp2(attempt) * longest_edge(finished, triangle), kept);
+      }
+    }
+  }
+  return mesh;
 }
 
 }  // namespace isobench::particles

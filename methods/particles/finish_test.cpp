@@ -73,7 +73,7 @@ SizingRequest adaptive(double epsilon) {
   return request;
 }
 
-SizingRequest uniform(double vertices) {
+SizingRequest matching(double vertices) {
   SizingRequest request;
   request.vertices = vertices;
   return request;
@@ -98,8 +98,8 @@ TEST(Finish, ReachesTheGoalUnderGradation) {
 
 TEST(Finish, ReachesTheGoalAtUniformSize) {
   for (const char* name : {"sphere", "torus"}) {
-    const Finished before = finished(name, 48, uniform(5000), 0);
-    const Finished after = finished(name, 48, uniform(5000));
+    const Finished before = finished(name, 48, matching(5000), 0);
+    const Finished after = finished(name, 48, matching(5000));
     EXPECT_GE(after.shape.least_q, 0.88) << name;
     EXPECT_GE(after.shape.mean_q, 0.985) << name;
     EXPECT_GT(after.shape.mean_q, before.shape.mean_q) << name;
@@ -130,7 +130,7 @@ class FinishPatch : public testing::Test {
     const Method& particles = method("particles");
     Monitor monitor;
     const TriangleMesh mesh =
-        particles.mesh(MeshingTask(surface_, uniform(500), Parameters(particles.parameters), 1), monitor);
+        particles.mesh(MeshingTask(surface_, matching(500), Parameters(particles.parameters), 1), monitor);
     std::vector<Eigen::Vector3d> normals;
     for (const auto& x : mesh.vertices) normals.push_back(outward_normal(surface_.value_gradient(x).gradient));
     mesh_ = EditableMesh(mesh.vertices, normals, mesh.triangles);

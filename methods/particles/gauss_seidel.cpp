@@ -14,8 +14,8 @@ namespace {
 constexpr double first_lambda = 0.1;
 constexpr double lambda_bound = 1e15;  // and its inverse
 constexpr int most_tries = 12;
-constexpr double skin = 0.4;  // lists reach this much farther than the potential
-// Of the skin: neighbours may come as near, and h may change on the way.
+constexpr double list_skin = 0.4;  // lists reach this much farther than the potential
+// Of the list_skin: neighbours may come as near, and h may change on the way.
 constexpr double leash = 0.4;
 
 class GaussSeidel {
@@ -55,10 +55,10 @@ class GaussSeidel {
   };
 
   void list_neighbours() {
-    near_ = acting_neighbours(particles_, skin);
+    near_ = acting_neighbours(particles_, list_skin);
     anchor_ = particles_.points;
     leash_.resize(particles_.size());
-    for (std::size_t i = 0; i < leash_.size(); ++i) leash_[i] = leash * skin / beta * particles_.spacing[i];
+    for (std::size_t i = 0; i < leash_.size(); ++i) leash_[i] = leash * list_skin / beta * particles_.spacing[i];
     strayed_ = false;
   }
 

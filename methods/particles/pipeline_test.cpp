@@ -4,10 +4,10 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 
 #include "datasets/phantoms.h"
+#include "methods/mesh_checksum.h"
 #include "methods/mesh_facts.h"
 
 namespace isobench {
@@ -30,11 +30,6 @@ TriangleMesh mesh_by(const std::string& preset, const std::vector<Choice>& choic
   return chosen.mesh(MeshingTask(surface, request, parameters, 1), monitor);
 }
 
-bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
-  return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles &&
-         std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof(Eigen::Vector3d)) == 0;
-}
-
 const std::vector<Choice> published{
     {"medial_axis", "foot-points"}, {"sizing_nodes", "bounding"}, {"limiter", "iteration"}, {"seeds", "marching-cubes"},
     {"relaxation", "gauss-seidel"}, {"surface", "tight-cocone"},  {"finish", "0"},          {"critical_floor", "100"}};
@@ -45,8 +40,8 @@ const std::vector<Choice> ours{{"medial_axis", "shrinking-balls"}, {"sizing_node
 
 TEST(ParticlePresets, AreOnePipelineWithOtherDefaults) {
   Monitor monitor;
-  EXPECT_TRUE(same_bytes(mesh_by("particles", published, monitor), mesh_by("particles-2007", {}, monitor)));
-  EXPECT_TRUE(same_bytes(mesh_by("particles-2007", ours, monitor), mesh_by("particles", {}, monitor)));
+  EXPECT_EQ(checksum(mesh_by("particles", published, monitor)), checksum(mesh_by("particles-2007", {}, monitor)));
+  EXPECT_EQ(checksum(mesh_by("particles-2007", ours, monitor)), checksum(mesh_by("particles", {}, monitor)));
 }
 
 TEST(ParticlePresets, MeshClosedWhicheverStageIsExchanged) {
@@ -79,7 +74,7 @@ TEST(ParticlePresets, EveryStageChangesTheMesh) {
     if (choice.stage == "surface") continue;
     const std::string place = choice.stage == "critical_floor" ? "near-spheres" : "two-spheres";
     const TriangleMesh other = mesh_by("particles", {choice}, monitor, place, 64);
-    EXPECT_FALSE(same_bytes(bases.at(place), other)) << choice.stage << " = " << choice.name;
+    EXPECT_NE(checksum(bases.at(place)), checksum(other)) << choice.stage << " = " << choice.name;
   }
 }
 
@@ -117,7 +112,7 @@ TEST(Particles2007, IsTheSameForAnyNumberOfThreads) {
     return mesh_by("particles-2007", {}, monitor);
   };
   const TriangleMesh one = with_threads(1);
-  EXPECT_TRUE(same_bytes(one, with_threads(4)));
+  EXPECT_EQ(checksum(one), checksum(with_threads(4)));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "methods/particles/morton.h"
+#include "methods/morton.h"
 #include "methods/particles/neighbours.h"
 #include "methods/particles/random.h"
 

@@ -8,7 +8,7 @@ namespace isobench::particles {
 
 namespace {
 
-constexpr double least_q = 1e-4;  // below, the energy of a triangle is held where it can still be computed with
+constexpr double floor_q = 1e-4;  // below, the energy of a triangle is held where it can still be computed with
 
 double raise(ShapeEnergy energy, double inverse_q) {
   double f = inverse_q * inverse_q * inverse_q;
@@ -49,7 +49,7 @@ EnergyJet shape_energy(ShapeEnergy energy, const Ring& ring, const Eigen::Vector
     const double b = edges[k].length;
     const double c = edges[k + 1].length;
     // Q = (b+c−a)(c+a−b)(a+b−c)/(abc); s, t, u are its factors' inverses.
-    const double tiny = least_q * (a + b + c);
+    const double tiny = floor_q * (a + b + c);
     const double s = 1.0 / std::max(b + c - a, tiny);
     const double t = 1.0 / std::max(c + a - b, tiny);
     const double u = 1.0 / std::max(a + b - c, tiny);
@@ -85,7 +85,7 @@ FanState fan_state(ShapeEnergy energy, const Ring& ring, const Eigen::Vector3d& 
     const Eigen::Vector3d across = to_b.cross(to_c);
     const double square = across.squaredNorm();
     const double inverse_q = (a + b + c) * a * b * c / std::max(4.0 * square, 1e-300);
-    state.energy += raise(energy, std::min(inverse_q, 1.0 / least_q));
+    state.energy += raise(energy, std::min(inverse_q, 1.0 / floor_q));
     const double turned = std::min({across.dot(normal), across.dot(ring.normals[k]), across.dot(ring.normals[k + 1])});
     state.least_cosine = std::min(state.least_cosine, square > 0.0 ? turned / std::sqrt(square) : -1.0);
     to_b = to_c;

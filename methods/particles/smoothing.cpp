@@ -14,7 +14,7 @@ namespace {
 using Index = EditableMesh::Index;
 
 constexpr double at_rest = 5e-3;      // of the mean distance to the neighbours
-constexpr double largest_step = 0.3;  // of it
+constexpr double largest_move = 0.3;  // of it
 
 }  // namespace
 
@@ -48,7 +48,7 @@ double improve_vertex(const MeshGround& ground, EditableMesh& mesh, Index v, Sha
   scale /= static_cast<double>(ring.size);
   double length = step.norm();
   if (!std::isfinite(length) || length < 1e-5 * scale) return 0.0;
-  if (length > largest_step * scale) step *= largest_step * scale / length;
+  if (length > largest_move * scale) step *= largest_move * scale / length;
 
   const FanState before = fan_state(energy, ring, x, n);
   const double allowed = ground.sizing.uniform() ? least_cosine_uniform : least_cosine;
@@ -58,7 +58,7 @@ double improve_vertex(const MeshGround& ground, EditableMesh& mesh, Index v, Sha
     const Jet at = ground.surface.value_gradient(to);
     const double slope = at.gradient.norm();
     const double off = slope > 0.0 ? at.value / slope : 0.0;
-    if (!(slope > 0.0) || std::abs(off) > largest_step * scale) continue;
+    if (!(slope > 0.0) || std::abs(off) > largest_move * scale) continue;
     to -= at.gradient * (off / slope);
     const Eigen::Vector3d normal = -at.gradient / slope;
     const FanState after = fan_state(energy, ring, to, normal);

@@ -13,7 +13,7 @@
 namespace isobench {
 namespace {
 
-Isosurface torus() { return Isosurface(sample_phantom(phantom("torus"), 30), 0.0); }
+Isosurface coarse_torus() { return Isosurface(sample_phantom(phantom("torus"), 30), 0.0); }
 
 /// The definition, node by node.
 std::set<std::array<int, 3>> nodes_near_crossed_cells(const Isosurface& surface, int margin) {
@@ -47,7 +47,7 @@ std::set<std::array<int, 3>> nodes_near_crossed_cells(const Isosurface& surface,
 }
 
 TEST(Band, HoldsTheNodesOfItsDefinition) {
-  const Isosurface surface = torus();
+  const Isosurface surface = coarse_torus();
   for (const int margin : {0, 2}) {
     const Band band(surface, margin);
     std::set<std::array<int, 3>> found;
@@ -58,7 +58,7 @@ TEST(Band, HoldsTheNodesOfItsDefinition) {
 }
 
 TEST(Band, FindsEveryNodeByItsIndicesAndNoOther) {
-  const Isosurface surface = torus();
+  const Isosurface surface = coarse_torus();
   const Band band(surface, 1);
   std::size_t found = 0;
   for (int k = -1; k <= surface.lattice().size[2]; ++k) {
@@ -75,7 +75,7 @@ TEST(Band, FindsEveryNodeByItsIndicesAndNoOther) {
 }
 
 TEST(Band, InterpolatesTrilinearFieldsExactly) {
-  const Isosurface surface = torus();
+  const Isosurface surface = coarse_torus();
   const Band band(surface, 2);
   const auto field = [](const Eigen::Vector3d& x) { return 1.0 + 0.5 * x[0] - 0.25 * x[1] + 2.0 * x[2]; };
   std::vector<float> values(band.size());

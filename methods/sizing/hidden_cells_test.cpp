@@ -12,16 +12,16 @@
 namespace isobench {
 namespace {
 
-constexpr int nodes = 20;
+constexpr int lattice_nodes = 20;
 
 /// A ball to have a surface at all, and coefficients of a bump that peaks in the middle of the cell (14, 14, 14): all
 /// of its eight corners get the same, so that the peak is higher than the values there.
 Isosurface with_bump(float coefficient, Kernel kernel = Kernel::bspline) {
   Volume volume;
-  volume.lattice.size = {nodes, nodes, nodes};
-  for (int k = 0; k < nodes; ++k) {
-    for (int j = 0; j < nodes; ++j) {
-      for (int i = 0; i < nodes; ++i) {
+  volume.lattice.size = {lattice_nodes, lattice_nodes, lattice_nodes};
+  for (int k = 0; k < lattice_nodes; ++k) {
+    for (int j = 0; j < lattice_nodes; ++j) {
+      for (int i = 0; i < lattice_nodes; ++i) {
         const double ball = 4.0 - (Eigen::Vector3d(i, j, k) - Eigen::Vector3d::Constant(6.0)).norm();
         const bool bump = std::min({i, j, k}) >= 14 && std::max({i, j, k}) <= 15;
         volume.samples.push_back(bump ? coefficient : static_cast<float>(std::max(-1.0, ball)));
@@ -35,9 +35,9 @@ Isosurface with_bump(float coefficient, Kernel kernel = Kernel::bspline) {
 std::vector<std::array<int, 3>> seen_by_sampling(const Isosurface& surface) {
   constexpr int samples = 6;
   std::vector<std::array<int, 3>> found;
-  for (int k = 0; k + 1 < nodes; ++k) {
-    for (int j = 0; j + 1 < nodes; ++j) {
-      for (int i = 0; i + 1 < nodes; ++i) {
+  for (int k = 0; k + 1 < lattice_nodes; ++k) {
+    for (int j = 0; j + 1 < lattice_nodes; ++j) {
+      for (int i = 0; i + 1 < lattice_nodes; ++i) {
         int corners = 0;
         int inside = 0;
         for (int n = 0; n < (samples + 1) * (samples + 1) * (samples + 1); ++n) {
@@ -59,8 +59,9 @@ std::vector<std::array<int, 3>> seen_by_sampling(const Isosurface& surface) {
 TEST(HiddenCells, AreNoneWhereTheSurfaceIsFlatterThanTheLattice) {
   // A plane along the lattice cuts every cell that it meets between its corners.
   Volume volume;
-  volume.lattice.size = {nodes, nodes, nodes};
-  for (int n = 0; n < nodes * nodes * nodes; ++n) volume.samples.push_back(static_cast<float>(n % nodes) - 9.3F);
+  volume.lattice.size = {lattice_nodes, lattice_nodes, lattice_nodes};
+  for (int n = 0; n < lattice_nodes * lattice_nodes * lattice_nodes; ++n)
+    volume.samples.push_back(static_cast<float>(n % lattice_nodes) - 9.3F);
   EXPECT_TRUE(hidden_cells(Isosurface(std::move(volume), 0.0)).empty());
 }
 

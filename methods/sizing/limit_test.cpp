@@ -31,10 +31,10 @@ Isosurface small_surface(const std::string& name, const Eigen::Vector3d& stretch
   return Isosurface(std::move(volume), 0.0);
 }
 
-class Limiter : public testing::TestWithParam<double> {};
+class LimiterOf : public testing::TestWithParam<double> {};
 
 // 1e-4: what is left of the way when no step changes a node by more than 1e-7 of itself.
-TEST_P(Limiter, HasTheFixedPointOfTheExplicitIteration) {
+TEST_P(LimiterOf, HasTheFixedPointOfTheExplicitIteration) {
   for (const Eigen::Vector3d& spacing : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.7, 1.0, 1.9)}) {
     const Isosurface surface = small_surface("torus", spacing);
     const Band band(surface, 2);
@@ -51,7 +51,7 @@ TEST_P(Limiter, HasTheFixedPointOfTheExplicitIteration) {
   }
 }
 
-TEST_P(Limiter, BoundsTheUpwindGradientAndNeverRaises) {
+TEST_P(LimiterOf, BoundsTheUpwindGradientAndNeverRaises) {
   const Isosurface surface = small_surface("rounded-box", {1.0, 1.0, 1.0});
   const Band band(surface, 2);
   const std::vector<float> h0 = bumpy_field(band);
@@ -63,7 +63,7 @@ TEST_P(Limiter, BoundsTheUpwindGradientAndNeverRaises) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Deltas, Limiter, testing::Values(0.1, 0.3, 0.5), [](const auto& chosen) {
+INSTANTIATE_TEST_SUITE_P(Deltas, LimiterOf, testing::Values(0.1, 0.3, 0.5), [](const auto& chosen) {
   return "delta_0" + std::to_string(static_cast<int>(10 * chosen.param));
 });
 

@@ -1,4 +1,4 @@
-#include "methods/particles/morton.h"
+#include "methods/morton.h"
 
 #include <tbb/parallel_sort.h>
 
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace isobench::particles {
+namespace isobench {
 
 namespace {
 
@@ -23,8 +23,8 @@ std::uint64_t spread(std::uint64_t x) {
 
 }  // namespace
 
-void sort_by_morton(std::vector<Eigen::Vector3d>& points) {
-  if (points.empty()) return;
+std::vector<std::uint32_t> morton_order(const std::vector<Eigen::Vector3d>& points) {
+  if (points.empty()) return {};
   Eigen::Vector3d low = points.front();
   Eigen::Vector3d high = points.front();
   for (const Eigen::Vector3d& x : points) {
@@ -32,16 +32,23 @@ void sort_by_morton(std::vector<Eigen::Vector3d>& points) {
     high = high.cwiseMax(x);
   }
   const double scale = static_cast<double>((1 << 21) - 1) / std::max((high - low).maxCoeff(), 1e-300);
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(points.size());
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> cells(points.size());
   for (std::size_t n = 0; n < points.size(); ++n) {
     const Eigen::Vector3d u = (points[n] - low) * scale;
     const auto cell = [&](int axis) { return spread(static_cast<std::uint64_t>(u[axis])); };
-    order[n] = {cell(0) | cell(1) << 1 | cell(2) << 2, static_cast<std::uint32_t>(n)};
+    cells[n] = {cell(0) | cell(1) << 1 | cell(2) << 2, static_cast<std::uint32_t>(n)};
   }
-  tbb::parallel_sort(order.begin(), order.end());
+  tbb::parallel_sort(cells.begin(), cells.end());
+  std::vector<std::uint32_t> order(points.size());
+  for (std::size_t n = 0; n < points.size(); ++n) order[n] = cells[n].second;
+  return order;
+}
+
+void sort_by_morton(std::vector<Eigen::Vector3d>& points) {
+  const std::vector<std::uint32_t> order = morton_order(points);
   std::vector<Eigen::Vector3d> sorted(points.size());
-  for (std::size_t n = 0; n < points.size(); ++n) sorted[n] = points[order[n].second];
+  for (std::size_t n = 0; n < points.size(); ++n) sorted[n] = points[order[n]];
   points = std::move(sorted);
 }
 
-}  // namespace isobench::particles
+}  // namespace isobench

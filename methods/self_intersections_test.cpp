@@ -1,4 +1,4 @@
-#include "metrics/self_intersections.h"
+#include "methods/self_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <random>
 
-#include "metrics/sample_meshes.h"
+#include "methods/box_tree.h"
+#include "methods/sample_meshes.h"
 
 namespace isobench {
 
@@ -114,12 +116,48 @@ TEST(SelfIntersections, AgreesWithCgalOnManifoldMeshes) {
   EXPECT_GT(count_self_intersections(shaken(sample_meshes::torus(40), 0.5)), 100U);
 }
 
-TEST(SelfIntersections, CountDoesNotDependOnThreads) {
+TEST(SelfIntersections, AreTheSamePairsForAnyNumberOfThreads) {
   const TriangleMesh mesh = shaken(sample_meshes::torus(60), 0.2);
-  const std::size_t count = count_self_intersections(mesh);
+  const auto pairs = self_intersections(mesh);
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  for (const auto& [a, b] : pairs) EXPECT_LT(a, b);
   for (const std::size_t threads : {1, 2, 4}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    EXPECT_EQ(count_self_intersections(mesh), count) << threads << " threads";
+    EXPECT_EQ(self_intersections(mesh), pairs) << threads << " threads";
+  }
+}
+
+// Against every pair looked at: boxes of very different sizes, points among them, and some that only touch.
+TEST(BoxTree, FindsEachOverlapOnce) {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> place(0, 40);
+  std::uniform_int_distribution<int> length(0, 5);
+  for (const std::size_t count : {0, 1, 2, 5, 64, 65, 700}) {
+    std::vector<BoxTree::Box> boxes;
+    for (std::size_t n = 0; n < count; ++n) {
+      const Eigen::Vector3d low(place(random), place(random), place(random));
+      const int scale = n % 50 == 7 ? 6 : 1;
+      boxes.emplace_back(low, low + scale * Eigen::Vector3d(length(random), length(random), length(random)));
+    }
+    std::vector<std::array<std::uint32_t, 2>> expected;
+    for (std::uint32_t a = 0; a < count; ++a) {
+      for (std::uint32_t b = a + 1; b < count; ++b) {
+        if (boxes[a].intersects(boxes[b])) expected.push_back({a, b});
+      }
+    }
+    std::vector<std::array<std::uint32_t, 2>> found;
+    const BoxTree tree(boxes);
+    ASSERT_EQ(tree.size(), count);
+    for (std::size_t n = 0; n < count; ++n) {
+      tree.overlapping_later(n, [&](std::uint32_t a, std::uint32_t b) {
+        found.push_back({std::min(a, b), std::max(a, b)});
+      });
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected) << count << " boxes";
+    if (count == 700) {
+      EXPECT_GT(found.size(), 100U);
+    }
   }
 }
 

@@ -1,14 +1,14 @@
-#include "metrics/self_intersections.h"
+#include "methods/self_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <array>
-#include <atomic>
-#include <cstdint>
-#include <vector>
+#include <algorithm>
+
+#include "methods/box_tree.h"
 
 namespace isobench {
 
@@ -16,7 +16,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using Pair = std::array<std::uint32_t, 2>;
 
 Point point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -77,36 +77,39 @@ class IntersectionTest {
   const TriangleMesh& mesh_;
 };
 
-std::vector<Box> boxes_of_triangles(const TriangleMesh& mesh) {
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> has_area(mesh.triangles.size());
   tbb::parallel_for(std::size_t{0}, has_area.size(), [&](std::size_t t) {
     const Triangle& c = mesh.triangles[t];
     has_area[t] = static_cast<std::uint8_t>(
         !CGAL::collinear(point(mesh.vertices[c[0]]), point(mesh.vertices[c[1]]), point(mesh.vertices[c[2]])));
   });
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.triangles.size());
+  std::vector<std::uint32_t> triangles;
+  std::vector<Eigen::AlignedBox3d> boxes;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (has_area[t] == 0) continue;
-    CGAL::Bbox_3 bounds;
-    for (const std::uint32_t v : mesh.triangles[t]) bounds += point(mesh.vertices[v]).bbox();
-    boxes.emplace_back(bounds, t);
+    triangles.push_back(t);
+    boxes.emplace_back();
+    for (const std::uint32_t v : mesh.triangles[t]) boxes.back().extend(mesh.vertices[v]);
   }
-  return boxes;
-}
-
-}  // namespace
-
-std::size_t count_self_intersections(const TriangleMesh& mesh) {
-  std::vector<Box> boxes = boxes_of_triangles(mesh);
+  const BoxTree tree(boxes);
   const IntersectionTest meet(mesh);
-  std::atomic<std::size_t> count{0};  // whole numbers: the order of additions does not matter
-  CGAL::box_self_intersection_d<CGAL::Parallel_if_available_tag>(boxes.begin(), boxes.end(),
-                                                                 [&](const Box& a, const Box& b) {
-                                                                   if (meet(a.info(), b.info()))
-                                                                     count.fetch_add(1, std::memory_order_relaxed);
-                                                                 });
-  return count.load();
+  tbb::enumerable_thread_specific<std::vector<Pair>> found;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size(), 256), [&](const auto& range) {
+    std::vector<Pair>& mine = found.local();
+    for (std::size_t place = range.begin(); place < range.end(); ++place) {
+      tree.overlapping_later(place, [&](std::uint32_t m, std::uint32_t n) {
+        const Pair pair{triangles[std::min(m, n)], triangles[std::max(m, n)]};
+        if (meet(pair[0], pair[1])) mine.push_back(pair);
+      });
+    }
+  });
+  std::vector<Pair> pairs;
+  for (const std::vector<Pair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace isobench
