@@ -1,9 +1,13 @@
 // Meshes with known answers, for the tests of this folder.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "methods/triangle_mesh.h"
 
@@ -74,6 +78,46 @@ inline TriangleMesh moebius_strip(std::uint32_t n) {
     result.triangles.push_back({a, next_a, next_b});
     result.triangles.push_back({a, next_b, a + 1});
   }
+  return result;
+}
+
+/// The unit sphere: an icosahedron whose triangles were quartered so many times, vertices put back on the sphere.
+inline TriangleMesh icosphere(int quartered) {
+  const double g = (1.0 + std::sqrt(5.0)) / 2.0;
+  TriangleMesh result = mesh({{-1, g, 0},
+                              {1, g, 0},
+                              {-1, -g, 0},
+                              {1, -g, 0},
+                              {0, -1, g},
+                              {0, 1, g},
+                              {0, -1, -g},
+                              {0, 1, -g},
+                              {g, 0, -1},
+                              {g, 0, 1},
+                              {-g, 0, -1},
+                              {-g, 0, 1}},
+                             {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                              {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}});
+  for (int round = 0; round < quartered; ++round) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto next = static_cast<std::uint32_t>(result.vertices.size());
+      const auto [place, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)}, next);
+      if (is_new) result.vertices.emplace_back(0.5 * (result.vertices[a] + result.vertices[b]));
+      return place->second;
+    };
+    std::vector<Triangle> quarters;
+    for (const auto& [a, b, c] : result.triangles) {
+      const std::uint32_t ab = middle(a, b);
+      const std::uint32_t bc = middle(b, c);
+      const std::uint32_t ca = middle(c, a);
+      quarters.insert(quarters.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    result.triangles = quarters;
+    for (Eigen::Vector3d& v : result.vertices) v.normalize();
+  }
+  for (Eigen::Vector3d& v : result.vertices) v.normalize();
   return result;
 }
 

