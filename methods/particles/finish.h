@@ -21,8 +21,8 @@ namespace isobench::particles {
 /// each time, in the last resort everywhere). Pairs met with are counted as "finish/intersections rolled back". What
 /// `mesh` itself has of them stays.
 ///
-/// Stages "connectivity", "shape", "tail" and "intersections" of the monitor's current stage. The same mesh for any number of threads.
-/// Cost: 10 to 25 µs of one core a vertex, on all threads.
+/// Stages "connectivity", "shape", "tail" and "intersections" of the monitor's current stage. The same mesh for any
+/// number of threads. Cost: 10 to 25 µs of one core a vertex, on all threads.
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor);
 
