@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "metrics/edge_lengths.h"
 #include "methods/sample_meshes.h"
+#include "metrics/edge_lengths.h"
 #include "metrics/test_surfaces.h"
 
 namespace isobench {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "metrics/reference_topology.h"
 #include "methods/sample_meshes.h"
 #include "methods/self_intersections.h"
+#include "metrics/reference_topology.h"
 #include "metrics/topology.h"
 
 namespace isobench {

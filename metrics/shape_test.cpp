@@ -11,9 +11,9 @@
 #include <numbers>
 #include <random>
 
+#include "methods/sample_meshes.h"
 #include "metrics/angles.h"
 #include "metrics/radius_ratio.h"
-#include "methods/sample_meshes.h"
 
 namespace isobench {
 

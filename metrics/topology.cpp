@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "datasets/union_find.h"
-#include "metrics/mesh_edges.h"
 #include "methods/self_intersections.h"
+#include "metrics/mesh_edges.h"
 
 namespace isobench {
 
