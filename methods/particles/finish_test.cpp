@@ -182,10 +182,10 @@ double rolled_back(const Monitor& monitor) {
 }
 
 TEST(Finish, RollsBackWhereSheetsWouldMeet) {
-  const HollowBall ball(0.2, 1.6);
+  const HollowBall ball(0.25, 1.3);
   ASSERT_EQ(count_self_intersections(ball.mesh), 0U);
   Monitor monitor;
-  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 12, monitor);
+  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
   EXPECT_GT(rolled_back(monitor), 0.0) << "nothing met: the ball is no test";
   EXPECT_EQ(count_self_intersections(finished), 0U);
   const MeshFacts facts = mesh_facts(finished);
@@ -206,11 +206,11 @@ TEST(Finish, RollsBackWhereSheetsWouldMeet) {
 }
 
 TEST(Finish, LeavesWhatMetBefore) {
-  const HollowBall ball(0.1, 1.3);
+  const HollowBall ball(0.3, 1.2);
   const std::size_t given = count_self_intersections(ball.mesh);
   ASSERT_GT(given, 0U);
   Monitor monitor;
-  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 12, monitor);
+  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
   EXPECT_LE(count_self_intersections(finished), given);
   EXPECT_NE(finished.vertices, ball.mesh.vertices) << "what meets in one place must not keep all from being finished";
 }
