@@ -28,6 +28,8 @@ using CellBase =
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel3, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Cell = Delaunay::Cell_handle;
 
+constexpr const char* too_flat = "the points to triangulate lie in a plane; a closed surface needs more of them";
+
 Eigen::Vector3d to_eigen(const Kernel3::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
 Eigen::Vector3d circumcentre(const Cell& cell) {
@@ -72,19 +74,33 @@ struct LabelledDelaunay::Triangulation {
     return from + (2.0 * (from - a).norm() + surface.voxel()) * normal;
   }
 
+  // Of the facet opposite vertex i of a cell inside.
+  Triangle corners(const Cell& cell, int i) const {
+    // vertex_triple_index orders them counter-clockwise seen from vertex i, which is inside.
+    const auto corner = [&](int n) { return cell->vertex(Delaunay::vertex_triple_index(i, n))->info(); };
+    return {corner(0), corner(2), corner(1)};
+  }
+
+  Facet facet(const Cell& cell, int i, const Triangle& corners) const {
+    const Eigen::Vector3d inside = circumcentre(cell);
+    const Cell other = cell->neighbor(i);
+    return {corners, inside, delaunay.is_infinite(other) ? beyond_hull(corners, inside) : circumcentre(other)};
+  }
+
   template <class Visitor>
   void visit_facets(Visitor&& visit) const {
     for (const Cell cell : delaunay.finite_cell_handles()) {
       if (!cell->info()) continue;
       for (int i = 0; i < 4; ++i) {
-        if (cell->neighbor(i)->info()) continue;
-        // vertex_triple_index orders the facet opposite vertex i counter-clockwise seen from that vertex, which is
-        // inside.
-        const auto corner = [&](int n) { return cell->vertex(Delaunay::vertex_triple_index(i, n))->info(); };
-        visit(cell, i, Triangle{corner(0), corner(2), corner(1)});
+        if (!cell->neighbor(i)->info()) visit(cell, i, corners(cell, i));
       }
     }
   }
+
+  // Closes ranks; says of each point that stays whether one went beside it, so that its cells changed.
+  std::vector<char> remove(const std::vector<std::uint32_t>& gone);
+  void insert(const std::vector<Eigen::Vector3d>& added);
+  void label(const std::vector<Cell>& cells);
 
   const Isosurface& surface;
   Delaunay delaunay;
@@ -97,9 +113,7 @@ LabelledDelaunay::LabelledDelaunay(const std::vector<Eigen::Vector3d>& points, c
     : triangulation_(std::make_unique<Triangulation>(points, surface)) {
   Delaunay& delaunay = triangulation_->delaunay;
   monitor.progress(0.8);
-  if (delaunay.dimension() < 3) {
-    throw Error("the points to triangulate lie in a plane; a closed surface needs more of them");
-  }
+  if (delaunay.dimension() < 3) throw Error(too_flat);
 
   triangulation_->vertices.resize(points.size());
   for (const auto vertex : delaunay.finite_vertex_handles()) triangulation_->vertices[vertex->info()] = vertex;
@@ -107,9 +121,7 @@ LabelledDelaunay::LabelledDelaunay(const std::vector<Eigen::Vector3d>& points, c
   cells.reserve(delaunay.number_of_finite_cells());
   for (const Cell cell : delaunay.finite_cell_handles()) cells.push_back(cell);
   for (const Cell cell : delaunay.all_cell_handles()) cell->info() = false;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 1024), [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) cells[n]->info() = inside_object(cells[n], surface);
-  });
+  triangulation_->label(cells);
 }
 
 LabelledDelaunay::~LabelledDelaunay() = default;
@@ -119,12 +131,8 @@ std::vector<LabelledDelaunay::Facet> LabelledDelaunay::facets() const {
   const Triangulation& t = *triangulation_;
   std::vector<Facet> result;
   result.reserve(2 * t.points.size());
-  t.visit_facets([&](const Cell& cell, int i, const Triangle& corners) {
-    const Eigen::Vector3d inside = circumcentre(cell);
-    const Cell other = cell->neighbor(i);
-    const bool hull = t.delaunay.is_infinite(other);
-    result.push_back({corners, inside, hull ? t.beyond_hull(corners, inside) : circumcentre(other)});
-  });
+  t.visit_facets(
+      [&](const Cell& cell, int i, const Triangle& corners) { result.push_back(t.facet(cell, i, corners)); });
   return result;
 }
 
@@ -135,28 +143,120 @@ std::vector<Triangle> LabelledDelaunay::triangles() const {
   return result;
 }
 
-std::vector<std::uint32_t> LabelledDelaunay::insert(const std::vector<Eigen::Vector3d>& points) {
-  Triangulation& t = *triangulation_;
-  std::vector<std::uint32_t> changed;
+std::vector<LabelledDelaunay::Facet> LabelledDelaunay::facets_at(const std::vector<std::uint32_t>& points) const {
+  const Triangulation& t = *triangulation_;
+  std::vector<char> asked(t.points.size(), 0);
+  for (const std::uint32_t point : points) asked[point] = 1;
+  std::vector<Facet> result;
   std::vector<Cell> around;
-  for (const Eigen::Vector3d& x : points) {
-    const auto vertex = t.delaunay.insert(Kernel3::Point_3(x[0], x[1], x[2]));
-    vertex->info() = static_cast<std::uint32_t>(t.points.size());
-    t.points.push_back(x);
-    t.vertices.push_back(vertex);
+  for (const std::uint32_t point : points) {
     around.clear();
-    t.delaunay.incident_cells(vertex, std::back_inserter(around));
+    t.delaunay.finite_incident_cells(t.vertices[point], std::back_inserter(around));
     for (const Cell& cell : around) {
-      const bool hull = t.delaunay.is_infinite(cell);
-      cell->info() = !hull && inside_object(cell, t.surface);
+      if (!cell->info()) continue;
       for (int i = 0; i < 4; ++i) {
-        if (!t.delaunay.is_infinite(cell->vertex(i))) changed.push_back(cell->vertex(i)->info());
+        if (cell->neighbor(i)->info() || cell->vertex(i)->info() == point) continue;
+        const Triangle corners = t.corners(cell, i);
+        // Each facet once: at the first of its corners that is asked for.
+        const bool later = std::any_of(corners.begin(), corners.end(),
+                                       [&](std::uint32_t corner) { return corner < point && asked[corner] != 0; });
+        if (!later) result.push_back(t.facet(cell, i, corners));
       }
     }
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  return changed;
+  return result;
+}
+
+std::vector<char> LabelledDelaunay::Triangulation::remove(const std::vector<std::uint32_t>& gone) {
+  std::vector<char> beside(points.size(), 0);
+  std::vector<Cell> fresh;
+  for (const std::uint32_t point : gone) {
+    fresh.clear();
+    delaunay.remove_and_give_new_cells(vertices[point], std::back_inserter(fresh));
+    vertices[point] = Delaunay::Vertex_handle();
+    for (const Cell& cell : fresh) {
+      cell->info() = false;
+      for (int i = 0; i < 4; ++i) {
+        if (!delaunay.is_infinite(cell->vertex(i))) beside[cell->vertex(i)->info()] = 1;
+      }
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (vertices[n] == Delaunay::Vertex_handle()) continue;
+    points[kept] = points[n];
+    vertices[kept] = vertices[n];
+    vertices[kept]->info() = static_cast<std::uint32_t>(kept);
+    beside[kept] = beside[n];
+    ++kept;
+  }
+  points.resize(kept);
+  vertices.resize(kept);
+  beside.resize(kept);
+  return beside;
+}
+
+void LabelledDelaunay::Triangulation::insert(const std::vector<Eigen::Vector3d>& added) {
+  for (const Eigen::Vector3d& x : added) {
+    // What is added together mostly stands together.
+    const Kernel3::Point_3 point(x[0], x[1], x[2]);
+    const auto vertex = vertices.empty() ? delaunay.insert(point) : delaunay.insert(point, vertices.back());
+    vertex->info() = static_cast<std::uint32_t>(points.size());
+    points.push_back(x);
+    vertices.push_back(vertex);
+  }
+}
+
+void LabelledDelaunay::Triangulation::label(const std::vector<Cell>& cells) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 1024), [&](const auto& range) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) cells[n]->info() = inside_object(cells[n], surface);
+  });
+}
+
+std::vector<std::uint32_t> LabelledDelaunay::replace(const std::vector<std::uint32_t>& gone,
+                                                     const std::vector<Eigen::Vector3d>& points) {
+  Triangulation& t = *triangulation_;
+  std::vector<char> beside(t.points.size(), 0);
+  if (!gone.empty()) beside = t.remove(gone);
+  const std::size_t kept = t.points.size();
+  t.insert(points);
+  if (t.delaunay.dimension() < 3) throw Error(too_flat);
+
+  // A cell that is new has a new corner or, where points went, only corners beside them.
+  const auto is_new = [kept](std::uint32_t corner) { return corner >= kept; };
+  const auto is_near = [&](std::uint32_t corner) { return is_new(corner) || beside[corner] != 0; };
+  std::vector<char> changed = beside;
+  changed.resize(t.points.size(), 1);
+  std::vector<Cell> fresh;
+  std::vector<Cell> around;
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t point = 0; point < changed.size(); ++point) {
+    if (!is_near(point)) continue;
+    around.clear();
+    t.delaunay.incident_cells(t.vertices[point], std::back_inserter(around));
+    for (const Cell& cell : around) {
+      corners.clear();
+      for (int i = 0; i < 4; ++i) {
+        if (!t.delaunay.is_infinite(cell->vertex(i))) corners.push_back(cell->vertex(i)->info());
+      }
+      // Each once: at the first corner that leads here.
+      if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return c < point && is_near(c); }))
+        continue;
+      if (!std::any_of(corners.begin(), corners.end(), is_new) && !std::all_of(corners.begin(), corners.end(), is_near))
+        continue;
+      for (const std::uint32_t corner : corners) changed[corner] = 1;
+      if (corners.size() == 4)
+        fresh.push_back(cell);
+      else
+        cell->info() = false;
+    }
+  }
+  t.label(fresh);
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t point = 0; point < changed.size(); ++point) {
+    if (changed[point] != 0) result.push_back(point);
+  }
+  return result;
 }
 
 bool LabelledDelaunay::flip_label_at(std::uint32_t point) {

@@ -2,7 +2,7 @@
 // circumcentre, and output the facets between unlike cells. Closed, oriented and free of self-intersection by
 // construction; equal to the restricted Delaunay triangulation (Amenta, Bern 1999; Boissonnat, Oudot 2005) where each
 // dual edge crosses the surface once. What can remain are pinches: edges with four facets, vertices with two fans.
-// More points cure them, so the triangulation is kept and points can be added to it.
+// More points cure them, so the triangulation is kept and points of it can be exchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,12 +39,19 @@ class LabelledDelaunay {
 
   /// Time linear in the cells.
   std::vector<Facet> facets() const;
+  /// Those with a corner among `points`, which are ascending. Time linear in these points, but for a byte of all.
+  std::vector<Facet> facets_at(const std::vector<std::uint32_t>& points) const;
   std::vector<Triangle> triangles() const;
 
-  /// Adds points, whose indices follow those that are there; only the cells that come with them are labelled anew. They
-  /// must be distinct from all others. Returns the points whose cells have changed, ascending: facets of which no
-  /// corner is among them are as they were.
-  std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points);
+  /// Takes away the points `gone`, ascending, and adds `points`, distinct from all that stay: those that stay close
+  /// ranks, and the new ones follow them. Only cells that come by this, and others at their corners, are labelled
+  /// (anew, if by flip_label_at). Returns the points, as now numbered, whose cells have changed, ascending: facets of
+  /// which no corner is among them are as they were. Throws Error if the points no longer span a tetrahedron. Cost:
+  /// some 50 µs a point that goes, 20 one that comes, on one thread.
+  std::vector<std::uint32_t> replace(const std::vector<std::uint32_t>& gone,
+                                     const std::vector<Eigen::Vector3d>& points);
+  /// Adds points only.
+  std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points) { return replace({}, points); }
 
   /// Changes the label of the finite cell that has the least |f|/|∇f| at its circumcentre among those at a point: the
   /// last resort where no point can be added. False where the point has none within half a voxel of the surface.

@@ -81,8 +81,8 @@ class Mesher {
   std::vector<Triangle> close() {
     const auto stage = monitor_.stage("triangulation");
     LabelledDelaunay delaunay(sites_.points, task_.surface, monitor_);
-    book(particles::cure(task_.surface, spacing_, lattice_mesh_, sites_, delaunay, task_.parameters.integer("cure"),
-                         monitor_),
+    book(particles::cure(task_.surface, spacing_, nullptr, lattice_mesh_, sites_, delaunay,
+                         {.rounds = task_.parameters.integer("cure")}, monitor_),
          monitor_);
     return delaunay.triangles();
   }

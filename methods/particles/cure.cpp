@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "methods/particles/lattice_components.h"
+#include "methods/particles/local_relaxation.h"
 
 namespace isobench::particles {
 
@@ -125,68 +126,97 @@ struct Findings {
 
 class Curing {
  public:
-  Curing(const Isosurface& surface, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& particles,
-         LabelledDelaunay& delaunay)
+  Curing(const Isosurface& surface, const Spacing& spacing, SmallPlaces* smaller, const TriangleMesh& lattice_mesh,
+         Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits)
       : surface_(surface),
         spacing_(spacing),
+        smaller_(smaller),
+        limits_(limits),
         components_(lattice_mesh),
         particles_(particles),
         delaunay_(delaunay),
-        fresh_(particles.size(), 1) {}
+        component_(components_.of(particles.points)),
+        used_(particles.size(), 1),
+        suspects_(particles.size()) {
+    std::iota(suspects_.begin(), suspects_.end(), 0U);
+  }
 
-  Cure run(int rounds, Monitor& monitor) {
-    Cure cure;
+  Cure run(Monitor& monitor) {
     Findings found = look();
-    cure.before = found.defects;
-    while (found.defects.all() > 0 && cure.rounds < rounds) {
-      monitor.progress(static_cast<double>(cure.rounds) / rounds);
-      ++cure.rounds;
+    cure_.before = found.defects;
+    found = add_where_needed(std::move(found), monitor);
+    const int relaxations = smaller_ != nullptr ? limits_.relaxations : 0;
+    while (!places_.empty() && cure_.relaxations < relaxations) {
+      monitor.progress(static_cast<double>(cure_.relaxations) / relaxations);
+      ++cure_.relaxations;
+      relax(monitor);
+      found = add_where_needed(look(), monitor);
+    }
+    cut(found);
+    cure_.after = found.defects;
+    return cure_;
+  }
+
+ private:
+  // Adds particles until nothing is wrong or none more fits; what is wrong then.
+  Findings add_where_needed(Findings found, Monitor& monitor) {
+    for (int round = 0; round < limits_.rounds && found.defects.all() > 0; ++round) {
+      monitor.check();
       const std::size_t added = add(found);
-      cure.inserted += added;
       if (added == 0) break;
+      ++cure_.rounds;
+      cure_.inserted += added;
       found = look();
     }
-    // Points do no more: cut what is still pinched.
+    for (const std::uint32_t n : found.facets) {
+      const auto& [a, b, c] = facets_[n].corners;
+      const Eigen::Vector3d middle = (particles_.points[a] + particles_.points[b] + particles_.points[c]) / 3.0;
+      places_.push_back(surface_.project(middle).value_or(particles_.points[a]));
+    }
+    for (const std::uint32_t n : found.isolated) places_.push_back(particles_.points[n]);
+    return found;
+  }
+
+  // Points do no more: cuts what is still pinched.
+  void cut(Findings& found) {
     constexpr int cuts = 10;
     for (int cut = 0; cut < cuts && !found.pinched.empty(); ++cut) {
       std::size_t flipped = 0;
       for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
-      std::fill(fresh_.begin(), fresh_.end(), 1);
-      cure.flipped += flipped;
+      cure_.flipped += flipped;
       if (flipped == 0) break;
+      suspects_.resize(particles_.size());
+      std::iota(suspects_.begin(), suspects_.end(), 0U);
       found = look();
     }
-    cure.after = found.defects;
-    return cure;
   }
 
- private:
+  // Judges what is at the suspects; all else was found right before and has not changed.
   Findings look() {
-    facets_ = delaunay_.facets();
+    facets_ = suspects_.size() == particles_.size() ? delaunay_.facets() : delaunay_.facets_at(suspects_);
     const Fans fans(facets_, particles_.size());
     std::vector<char> wrong(facets_.size(), 0);
     std::vector<char> crossed(facets_.size(), 0);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 1024), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n) {
         wrong[n] = is_tilted(facets_[n], particles_) ? 1 : 0;
-        // What was right and has not changed is right: the walk along the dual edge is what costs.
-        const Triangle& corners = facets_[n].corners;
-        const bool fresh = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return fresh_[c] != 0; });
-        crossed[n] = fresh && crossings(facets_[n], surface_) > 1 ? 1 : 0;
+        crossed[n] = crossings(facets_[n], surface_) > 1 ? 1 : 0;
       }
     });
-    std::vector<char> pinched(particles_.size(), 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles_.size(), 1024), [&](const auto& range) {
+    std::vector<char> pinched(suspects_.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, suspects_.size(), 1024), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n)
-        pinched[n] = fans.count(n) > 0 && !one_fan(facets_, fans, static_cast<std::uint32_t>(n)) ? 1 : 0;
+        pinched[n] = fans.count(suspects_[n]) > 0 && !one_fan(facets_, fans, suspects_[n]) ? 1 : 0;
     });
 
     Findings found;
     found.defects.tilted = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
     found.defects.crossed = static_cast<std::size_t>(std::count(crossed.begin(), crossed.end(), 1));
-    for (std::uint32_t n = 0; n < particles_.size(); ++n) {
-      if (fans.count(n) == 0) found.isolated.push_back(n);
-      if (pinched[n] == 0) continue;
+    for (std::size_t s = 0; s < suspects_.size(); ++s) {
+      const std::uint32_t n = suspects_[s];
+      used_[n] = fans.count(n) > 0 ? 1 : 0;
+      if (used_[n] == 0) found.isolated.push_back(n);
+      if (pinched[s] == 0) continue;
       found.pinched.push_back(n);
       for (std::uint32_t i = fans.first[n]; i < fans.first[n + 1]; ++i) wrong[fans.items[i]] = 1;
     }
@@ -195,14 +225,12 @@ class Curing {
     for (std::uint32_t n = 0; n < facets_.size(); ++n) {
       if (wrong[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
     }
-    std::fill(fresh_.begin(), fresh_.end(), 0);
-    for (const std::uint32_t n : found.facets) {
-      for (const std::uint32_t corner : facets_[n].corners) fresh_[corner] = 1;
-    }
-    std::vector<char> used(particles_.size(), 0);
-    for (std::size_t n = 0; n < particles_.size(); ++n) used[n] = fans.count(n) > 0 ? 1 : 0;
-    lost_ = components_.without(particles_.points, used);
+    lost_ = components_.without(component_, used_);
     found.defects.lost = lost_.size();
+
+    suspects_ = found.isolated;
+    for (const std::uint32_t n : found.facets)
+      suspects_.insert(suspects_.end(), facets_[n].corners.begin(), facets_[n].corners.end());
     return found;
   }
 
@@ -226,13 +254,50 @@ class Curing {
       }
     }
     const Particles fresh = make_particles(surface_, spacing_, thinned());
-    const std::vector<std::uint32_t> changed = delaunay_.insert(fresh.points);
-    particles_.points.insert(particles_.points.end(), fresh.points.begin(), fresh.points.end());
-    particles_.normals.insert(particles_.normals.end(), fresh.normals.begin(), fresh.normals.end());
-    particles_.spacing.insert(particles_.spacing.end(), fresh.spacing.begin(), fresh.spacing.end());
-    fresh_.resize(particles_.size(), 1);
-    for (const std::uint32_t n : changed) fresh_[n] = 1;
+    exchange({}, fresh);
+    places_.insert(places_.end(), fresh.points.begin(), fresh.points.end());
     return fresh.size();
+  }
+
+  void relax(Monitor& monitor) {
+    const Exchange relaxed = relax_around(places_, surface_, spacing_, *smaller_, limits_.least, particles_, monitor);
+    places_.clear();
+    cure_.relaxed += relaxed.fresh.size();
+    exchange(relaxed.gone, relaxed.fresh);
+  }
+
+  // Takes particles away, adds others, and suspects what has to do with them.
+  void exchange(const std::vector<std::uint32_t>& gone, const Particles& fresh) {
+    std::vector<char> goes(particles_.size(), 0);
+    for (const std::uint32_t n : gone) goes[n] = 1;
+    std::vector<std::uint32_t> now(particles_.size());
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < particles_.size(); ++n) {
+      now[n] = static_cast<std::uint32_t>(kept);
+      if (goes[n] != 0) continue;
+      particles_.points[kept] = particles_.points[n];
+      particles_.normals[kept] = particles_.normals[n];
+      particles_.spacing[kept] = particles_.spacing[n];
+      component_[kept] = component_[n];
+      used_[kept] = used_[n];
+      ++kept;
+    }
+    particles_.points.resize(kept);
+    particles_.normals.resize(kept);
+    particles_.spacing.resize(kept);
+    for (std::size_t n = 0; n < fresh.size(); ++n) particles_.add(fresh, n);
+    component_.resize(kept);
+    const std::vector<std::uint32_t> fresh_components = components_.of(fresh.points);
+    component_.insert(component_.end(), fresh_components.begin(), fresh_components.end());
+    used_.resize(kept);
+    used_.resize(particles_.size(), 1);
+
+    std::erase_if(suspects_, [&](std::uint32_t n) { return goes[n] != 0; });
+    for (std::uint32_t& n : suspects_) n = now[n];
+    const std::vector<std::uint32_t> changed = delaunay_.replace(gone, fresh.points);
+    suspects_.insert(suspects_.end(), changed.begin(), changed.end());
+    std::sort(suspects_.begin(), suspects_.end());
+    suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
   }
 
   // A ring about a particle that the surface passes by: with it, the particle's cells are small against the sheet.
@@ -266,20 +331,26 @@ class Curing {
 
   const Isosurface& surface_;
   const Spacing& spacing_;
+  SmallPlaces* smaller_;
+  const CureLimits limits_;
   LatticeComponents components_;
   Particles& particles_;
   LabelledDelaunay& delaunay_;
-  std::vector<Facet> facets_;
+  std::vector<std::uint32_t> component_;  // of each particle
+  std::vector<char> used_;                // of each particle: it has a facet
+  std::vector<std::uint32_t> suspects_;   // particles whose facets are to be judged
+  std::vector<Facet> facets_;             // those at what was suspect
   std::vector<std::vector<Eigen::Vector3d>> lost_;
   std::vector<Eigen::Vector3d> added_;
-  std::vector<char> fresh_;  // of each particle: its facets are still to be judged
+  std::vector<Eigen::Vector3d> places_;  // where particles were added, or none more fits, since the last relaxation
+  Cure cure_;
 };
 
 }  // namespace
 
-Cure cure(const Isosurface& surface, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& particles,
-          LabelledDelaunay& delaunay, int rounds, Monitor& monitor) {
-  return Curing(surface, spacing, lattice_mesh, particles, delaunay).run(rounds, monitor);
+Cure cure(const Isosurface& surface, const Spacing& spacing, SmallPlaces* smaller, const TriangleMesh& lattice_mesh,
+          Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits, Monitor& monitor) {
+  return Curing(surface, spacing, smaller, lattice_mesh, particles, delaunay, limits).run(monitor);
 }
 
 }  // namespace isobench::particles

@@ -19,7 +19,8 @@ struct Case {
   Case(const std::string& name, int nodes, double edge_length)
       : surface(sample_phantom(phantom(name), nodes), 0.0),
         field(edge_length),
-        spacing{field, 1.0},
+        smaller(surface, 0.3),
+        spacing{field, 1.0, &smaller},
         lattice_mesh(marching_cubes(surface, monitor)) {
     const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
     all = particles::make_particles(
@@ -27,9 +28,10 @@ struct Case {
     particles::relax(surface, spacing, all, 20, monitor);
   }
 
-  Cure run(int rounds = 30) {
+  Cure run(int rounds = 30, int relaxations = 0) {
     LabelledDelaunay delaunay(all.points, surface, monitor);
-    Cure cured = particles::cure(surface, spacing, lattice_mesh, all, delaunay, rounds, monitor);
+    Cure cured = particles::cure(surface, spacing, &smaller, lattice_mesh, all, delaunay,
+                                 {.rounds = rounds, .relaxations = relaxations}, monitor);
     mesh = TriangleMesh{all.points, delaunay.triangles(), {}, {}};
     return cured;
   }
@@ -37,6 +39,7 @@ struct Case {
   Monitor monitor;
   Isosurface surface;
   SizingField field;
+  particles::SmallPlaces smaller;
   Spacing spacing;
   TriangleMesh lattice_mesh;
   Particles all;

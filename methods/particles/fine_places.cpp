@@ -17,8 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double farthest_reach = 4.0;  // voxels: how far a place reaches
-
 struct Candidate {
   Vector3d point;
   Vector3d normal;
@@ -56,67 +54,24 @@ bool has_room(const Candidate& candidate, const std::vector<Candidate>& others) 
 
 }  // namespace
 
-FinePlaces::FinePlaces(const Isosurface& surface, std::vector<CriticalPoint> points, double epsilon, double delta,
-                       double least)
-    : points_(std::move(points)),
-      epsilon_(epsilon),
-      delta_(delta),
-      least_(least),
-      voxel_(surface.voxel()),
-      brick_(farthest_reach * surface.voxel()) {
-  bricks_ = (surface.extent().array() / brick_).floor().cast<int>() + 1;
-  list_of_brick_.assign(static_cast<std::size_t>(bricks_.prod()), -1);
-  const Vector3d reach = Vector3d::Constant(brick_);
-  for (std::uint32_t n = 0; n < points_.size(); ++n) {
-    std::vector<std::size_t> met;
-    for (int corner = 0; corner < 27; ++corner) {
-      const Eigen::Vector3i way(corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1);
-      const Vector3d x =
-          (points_[n].position + way.cast<double>().cwiseProduct(reach)).cwiseMax(0.0).cwiseMin(surface.extent());
-      met.push_back(brick_of(x));
-    }
-    std::sort(met.begin(), met.end());
-    met.erase(std::unique(met.begin(), met.end()), met.end());
-    for (const std::size_t brick : met) {
-      if (list_of_brick_[brick] < 0) {
-        list_of_brick_[brick] = static_cast<std::int32_t>(lists_.size());
-        lists_.emplace_back();
-      }
-      lists_[static_cast<std::size_t>(list_of_brick_[brick])].push_back(n);
-    }
+std::vector<SmallPlace> fine_places(const std::vector<CriticalPoint>& points, double epsilon, double least,
+                                    double voxel) {
+  std::vector<SmallPlace> places;
+  places.reserve(points.size());
+  for (const CriticalPoint& point : points) {
+    places.push_back({point.position, std::max(least, 2.0 * epsilon * point.distance), 0.0, voxel});
   }
+  return places;
 }
 
-std::size_t FinePlaces::brick_of(const Vector3d& x) const {
-  const Eigen::Array3i at = (x.array() / brick_).cast<int>().max(0).min(bricks_ - 1);
-  return static_cast<std::size_t>((static_cast<std::ptrdiff_t>(at[2]) * bricks_[1] + at[1]) * bricks_[0] + at[0]);
-}
-
-double FinePlaces::edge_at(std::size_t point) const {
-  return std::max(least_, 2.0 * epsilon_ * points_[point].distance);
-}
-
-double FinePlaces::bound(const Vector3d& x) const {
-  double bound = std::numeric_limits<double>::infinity();
-  const std::int32_t list = list_of_brick_[brick_of(x)];
-  if (list < 0) return bound;
-  for (const std::uint32_t n : lists_[static_cast<std::size_t>(list)]) {
-    const double away = (x - points_[n].position).norm();
-    if (away > farthest_reach * voxel_) continue;
-    const double beyond = std::max(0.0, away / voxel_ - 1.0);
-    bound = std::min(bound, edge_at(n) + delta_ * away + 0.125 * beyond * beyond * voxel_);
-  }
-  return bound;
-}
-
-void add_seeds_at(const FinePlaces& places, const Isosurface& surface, const Spacing& spacing, std::uint64_t seed,
-                  std::vector<Vector3d>& seeds) {
-  const double reach = 0.5 * farthest_reach * surface.voxel();
-  std::vector<std::vector<Candidate>> candidates(places.points().size());
+void add_seeds_at(const std::vector<CriticalPoint>& points, const SmallPlaces& places, const Isosurface& surface,
+                  const Spacing& spacing, std::uint64_t seed, std::vector<Vector3d>& seeds) {
+  constexpr double seeded = 2.0;  // voxels around a point
+  const double reach = seeded * surface.voxel();
+  std::vector<std::vector<Candidate>> candidates(points.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t n) {
-    const CriticalPoint& point = places.points()[n];
-    candidates[n] = candidates_around(point.position, std::max(0.5 * places.edge_at(n), point.distance), reach, surface,
-                                      spacing, seed, n);
+    const double first = std::max(0.5 * places.at(n).edge, points[n].distance);
+    candidates[n] = candidates_around(points[n].position, first, reach, surface, spacing, seed, n);
   });
   // Those there already that a candidate may meet.
   std::vector<Candidate> there;
@@ -127,7 +82,7 @@ void add_seeds_at(const FinePlaces& places, const Isosurface& surface, const Spa
   for (std::size_t n = 0; n < candidates.size(); ++n) {
     std::vector<Candidate> near;
     for (const Candidate& other : there) {
-      if ((other.point - places.points()[n].position).norm() < 2.0 * reach) near.push_back(other);
+      if ((other.point - points[n].position).norm() < 2.0 * reach) near.push_back(other);
     }
     for (const Candidate& candidate : candidates[n]) {
       if (!has_room(candidate, near)) continue;

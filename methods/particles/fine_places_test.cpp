@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "methods/method.h"
 #include "methods/particles/seeds.h"
@@ -32,20 +31,6 @@ Isosurface dumb_bell(double off) {
 
 long euler_of(const TriangleMesh& mesh) {
   return static_cast<long>(mesh.vertices.size()) - static_cast<long>(mesh.triangles.size()) / 2;
-}
-
-TEST(FinePlaces, BoundRisesFromThePlaceAndEndsFourVoxelsAway) {
-  const Isosurface surface = dumb_bell(-0.0005);
-  CriticalPoint point;
-  point.position = {20.0, 19.0, 20.0};
-  point.distance = 0.1;
-  const FinePlaces places(surface, {point}, 0.5, 0.3, 0.02);
-  EXPECT_DOUBLE_EQ(places.edge_at(0), 0.1);
-  EXPECT_DOUBLE_EQ(places.bound(point.position), 0.1);
-  EXPECT_DOUBLE_EQ(places.bound(point.position + Eigen::Vector3d(0.0, 1.0, 0.0)), 0.1 + 0.3);
-  EXPECT_GT(places.bound(point.position + Eigen::Vector3d(3.9, 0.0, 0.0)), 0.1 + 0.3 * 3.9 + 0.5);
-  EXPECT_EQ(places.bound(point.position + Eigen::Vector3d(0.0, 0.0, -4.1)), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(places.bound({0.0, 0.0, 0.0}), std::numeric_limits<double>::infinity());
 }
 
 // A bridge, and a gap, of a few hundredths of a voxel: only their topology tells them apart, χ 2 and 4.

@@ -30,15 +30,18 @@ std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) 
 LatticeComponents::LatticeComponents(const TriangleMesh& mesh)
     : mesh_(mesh), tree_(mesh.vertices), of_vertex_(component_roots(mesh)) {}
 
-std::vector<std::vector<Eigen::Vector3d>> LatticeComponents::without(const std::vector<Eigen::Vector3d>& points,
-                                                                     const std::vector<char>& used) {
-  const std::size_t known = of_point_.size();
-  of_point_.resize(points.size());
-  tbb::parallel_for(known, points.size(),
-                    [&](std::size_t n) { of_point_[n] = of_vertex_[tree_.nearest(points[n]).first]; });
+std::vector<std::uint32_t> LatticeComponents::of(const std::vector<Eigen::Vector3d>& points) const {
+  std::vector<std::uint32_t> result(points.size());
+  tbb::parallel_for(std::size_t{0}, points.size(),
+                    [&](std::size_t n) { result[n] = of_vertex_[tree_.nearest(points[n]).first]; });
+  return result;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> LatticeComponents::without(const std::vector<std::uint32_t>& of_points,
+                                                                     const std::vector<char>& used) const {
   std::vector<char> met(of_vertex_.size(), 0);
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    if (used[n] != 0) met[of_point_[n]] = 1;
+  for (std::size_t n = 0; n < of_points.size(); ++n) {
+    if (used[n] != 0) met[of_points[n]] = 1;
   }
   std::map<std::uint32_t, std::vector<Eigen::Vector3d>> members;
   for (std::size_t n = 0; n < of_vertex_.size(); ++n) {

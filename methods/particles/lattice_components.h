@@ -15,17 +15,17 @@ class LatticeComponents {
   /// Keeps a reference to the mesh.
   explicit LatticeComponents(const TriangleMesh& mesh);
 
-  /// Of each component on which no used point stands: up to 16 of its vertices, well apart. A point stands on the
-  /// component of the vertex nearest to it. Later calls must give the points of earlier ones first, as they were: only
-  /// new ones are looked for.
-  std::vector<std::vector<Eigen::Vector3d>> without(const std::vector<Eigen::Vector3d>& points,
-                                                    const std::vector<char>& used);
+  /// The component on which each point stands, that of the vertex nearest to it: a number of the mesh's own.
+  std::vector<std::uint32_t> of(const std::vector<Eigen::Vector3d>& points) const;
+
+  /// Of each component that is no used point's: up to 16 of its vertices, well apart. One entry a point.
+  std::vector<std::vector<Eigen::Vector3d>> without(const std::vector<std::uint32_t>& of_points,
+                                                    const std::vector<char>& used) const;
 
  private:
   const TriangleMesh& mesh_;
   PointTree tree_;
   std::vector<std::uint32_t> of_vertex_;
-  std::vector<std::uint32_t> of_point_;
 };
 
 }  // namespace isobench::particles

@@ -65,6 +65,17 @@ double contraction(const MeshingTask& task) {
   return task.sizing.uniform() ? 1.0 : g;
 }
 
+/// The δ that is meshed by.
+double meshed_delta(const MeshingTask& task) {
+  const double most = task.parameters.number("gradation");
+  return task.sizing.uniform() ? most : std::min(*task.sizing.delta, most);
+}
+
+/// mm
+double critical_floor(const MeshingTask& task) {
+  return task.parameters.number("critical_floor") * task.surface.voxel();
+}
+
 /// Leaves the places where the sizing's floor is larger than the features for someone to look at.
 void show_floor_places(const std::vector<CriticalPoint>& points, double floor, double epsilon, double least,
                        Monitor& monitor) {
@@ -85,22 +96,21 @@ void show_floor_places(const std::vector<CriticalPoint>& points, double floor, d
   if (monitor.keeps_artefacts()) monitor.artefact("floor-places", std::move(places));
 }
 
-/// Where the topology is decided by features smaller than the floor.
-std::optional<FinePlaces> fine_places(const MeshingTask& task, const SizingField& field, Monitor& monitor) {
-  if (task.sizing.uniform()) return std::nullopt;
+/// Where the topology is decided by features smaller than the floor, and particles are to stand closer for it.
+std::vector<CriticalPoint> places_below_the_floor(const MeshingTask& task, const SizingField& field, Monitor& monitor) {
+  if (task.sizing.uniform()) return {};
   const auto stage = monitor.stage("critical points");
-  const double voxel = task.surface.voxel();
   const double epsilon = *task.sizing.epsilon;
   std::vector<CriticalPoint> points =
       critical_points(task.surface, *field.band(), field.floor_length() / (2.0 * epsilon));
-  const double least = std::min(field.floor_length(), task.parameters.number("critical_floor") * voxel);
+  const double least = std::min(field.floor_length(), critical_floor(task));
   show_floor_places(points, field.floor_length(), epsilon, least, monitor);
-  if (!(least < field.floor_length())) return std::nullopt;
-  const double delta = std::min(*task.sizing.delta, task.parameters.number("gradation"));
-  return FinePlaces(task.surface, std::move(points), epsilon, delta, least);
+  if (!(least < field.floor_length())) return {};
+  return points;
 }
 
-Particles seed(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh, Monitor& monitor) {
+Particles seed(const MeshingTask& task, const Spacing& spacing, const std::vector<CriticalPoint>& below_floor,
+               const TriangleMesh& lattice_mesh, Monitor& monitor) {
   std::vector<Eigen::Vector3d> points;
   if (chosen(task, "seeds", "marching-cubes")) {
     points = lattice_seeds(task.surface, lattice_mesh);
@@ -109,7 +119,7 @@ Particles seed(const MeshingTask& task, const Spacing& spacing, const TriangleMe
     points = eliminate_to_seeds(task.surface, lattice_mesh, spacing, static_cast<std::size_t>(std::llround(ideal)),
                                 task.parameters.number("candidates"), task.seed, monitor);
   }
-  if (spacing.finer != nullptr) add_seeds_at(*spacing.finer, task.surface, spacing, task.seed, points);
+  if (!below_floor.empty()) add_seeds_at(below_floor, *spacing.finer, task.surface, spacing, task.seed, points);
   monitor.set("particles/seeds", static_cast<double>(points.size()));
   return make_particles(task.surface, spacing, std::move(points));
 }
@@ -185,24 +195,27 @@ void book(const Defects& defects, const std::string& when, Monitor& monitor) {
   monitor.set("cure/lost components " + when, static_cast<double>(defects.lost));
 }
 
-std::vector<Triangle> close_labelled(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh,
-                                     Particles& all, Monitor& monitor) {
+std::vector<Triangle> close_labelled(const MeshingTask& task, const Spacing& spacing, SmallPlaces& finer,
+                                     const TriangleMesh& lattice_mesh, Particles& all, Monitor& monitor) {
   LabelledDelaunay delaunay(all.points, task.surface, monitor);
-  const int rounds = task.parameters.integer("cure");
-  if (rounds > 0) {
+  const CureLimits limits{task.parameters.integer("cure"), task.parameters.integer("cure_relaxations"),
+                          critical_floor(task)};
+  if (limits.rounds > 0) {
     const auto stage = monitor.stage("cure");
-    const Cure cured = cure(task.surface, spacing, lattice_mesh, all, delaunay, rounds, monitor);
+    const Cure cured = cure(task.surface, spacing, &finer, lattice_mesh, all, delaunay, limits, monitor);
     book(cured.before, "before", monitor);
     book(cured.after, "after", monitor);
     monitor.set("cure/rounds", cured.rounds);
     monitor.set("cure/inserted", static_cast<double>(cured.inserted));
+    monitor.set("cure/relaxations", cured.relaxations);
+    monitor.set("cure/relaxed", static_cast<double>(cured.relaxed));
     monitor.set("cure/labels changed", static_cast<double>(cured.flipped));
   }
   return delaunay.triangles();
 }
 
-TriangleMesh close(const MeshingTask& task, const Spacing& spacing, const TriangleMesh& lattice_mesh, Particles& all,
-                   Monitor& monitor) {
+TriangleMesh close(const MeshingTask& task, const Spacing& spacing, SmallPlaces& finer,
+                   const TriangleMesh& lattice_mesh, Particles& all, Monitor& monitor) {
   TriangleMesh result;
   if (chosen(task, "surface", "tight-cocone")) {
     const bool poles = chosen(task, "normals", "poles");
@@ -215,7 +228,7 @@ TriangleMesh close(const MeshingTask& task, const Spacing& spacing, const Triang
     monitor.set("cocone/conflicts", static_cast<double>(closed.conflicts));
     monitor.set("cocone/transparent", static_cast<double>(closed.transparent));
   } else {
-    result.triangles = close_labelled(task, spacing, lattice_mesh, all, monitor);
+    result.triangles = close_labelled(task, spacing, finer, lattice_mesh, all, monitor);
   }
   result.vertices = std::move(all.points);
   monitor.set("particles/unused", static_cast<double>(drop_unused_vertices(result)));
@@ -226,14 +239,17 @@ TriangleMesh close(const MeshingTask& task, const Spacing& spacing, const Triang
 
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   const auto field = sizing_field(task, monitor);
-  const auto finer = fine_places(task, *field, monitor);
-  const Spacing spacing{*field, contraction(task), finer ? &*finer : nullptr};
+  const std::vector<CriticalPoint> below_floor = places_below_the_floor(task, *field, monitor);
+  SmallPlaces finer(task.surface, meshed_delta(task));
+  if (!below_floor.empty())
+    finer.add(fine_places(below_floor, *task.sizing.epsilon, critical_floor(task), task.surface.voxel()));
+  const Spacing spacing{*field, contraction(task), &finer};
   TriangleMesh lattice_mesh;
   Particles all;
   {
     const auto stage = monitor.stage("seeds");
     lattice_mesh = marching_cubes(task.surface, monitor);
-    all = seed(task, spacing, lattice_mesh, monitor);
+    all = seed(task, spacing, below_floor, lattice_mesh, monitor);
   }
   {
     const auto stage = monitor.stage("relaxation");
@@ -246,7 +262,7 @@ TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   TriangleMesh mesh;
   {
     const auto stage = monitor.stage("triangulation");
-    mesh = close(task, spacing, lattice_mesh, all, monitor);
+    mesh = close(task, spacing, finer, lattice_mesh, all, monitor);
   }
   if (const int rounds = task.parameters.integer("finish"); rounds > 0) {
     const auto stage = monitor.stage("finish");

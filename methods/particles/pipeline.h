@@ -17,6 +17,7 @@ struct Preset {
   std::string relaxation;         ///< "newton", "gauss-seidel", each with its own control of the population
   std::string surface;            ///< "labelled-delaunay", "tight-cocone"
   double cure = 0.0;              ///< rounds, at most, in which particles are added to cure the triangulation
+  double cure_relaxations = 0.0;  ///< of the surroundings of those particles, at most
   double gradation = 100.0;       ///< largest δ that is meshed by
   double critical_floor = 100.0;  ///< voxels: h goes down to this near critical points of F; the floor's or more: not
   double finish = 0.0;            ///< rounds in which valences and shapes of the mesh are made good

@@ -52,10 +52,10 @@ bool crowded(const Eigen::Vector3d& x, double h, const Particles& particles,
 
 /// Deletes by falling energy, and none beside one already chosen: an independent set.
 std::vector<char> choose_deleted(const Particles& particles, const NeighbourLists& near,
-                                 const std::vector<double>& energy, double limit) {
+                                 const std::vector<double>& energy, double limit, const std::vector<char>& fixed) {
   std::vector<std::uint32_t> candidates;
   for (std::uint32_t i = 0; i < energy.size(); ++i) {
-    if (energy[i] > limit) candidates.push_back(i);
+    if (energy[i] > limit && fixed[i] == 0) candidates.push_back(i);
   }
   std::sort(candidates.begin(), candidates.end(),
             [&](std::uint32_t a, std::uint32_t b) { return energy[a] != energy[b] ? energy[a] > energy[b] : a < b; });
@@ -72,20 +72,24 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
 }  // namespace
 
 PopulationChange control_population(const Isosurface& surface, const Spacing& spacing, Particles& particles,
-                                    double split_below, double delete_above) {
+                                    double split_below, double delete_above, std::vector<char>* fixed) {
+  const std::vector<char> stays = fixed != nullptr ? *fixed : std::vector<char>(particles.size(), 0);
   const NeighbourLists near = acting_neighbours(particles);
   const std::vector<double> energy = energies(particles, near);
-  const std::vector<char> deleted = choose_deleted(particles, near, energy, delete_above * ideal_energy);
+  const std::vector<char> deleted = choose_deleted(particles, near, energy, delete_above * ideal_energy, stays);
   std::vector<char> split_beside(particles.size(), 0);
   PopulationChange change;
   std::vector<Eigen::Vector3d> points;
   points.reserve(particles.size());
+  std::vector<char> stays_now;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (deleted[i] != 0) {
       ++change.deleted;
       continue;
     }
     points.push_back(particles.points[i]);
+    stays_now.push_back(stays[i]);
+    if (stays[i] != 0) continue;
     // Two neighbours around one gap would both fill it: the first does.
     if (energy[i] >= split_below * ideal_energy || split_beside[i] != 0) continue;
     const std::vector<std::uint32_t> neighbours = ring(particles, near, i);
@@ -94,10 +98,12 @@ PopulationChange control_population(const Isosurface& surface, const Spacing& sp
     if (!child || (*child - particles.points[i]).norm() < 0.5 * h || crowded(*child, h, particles, neighbours))
       continue;
     points.push_back(*child);
+    stays_now.push_back(0);
     ++change.split;
     for (const std::uint32_t j : neighbours) split_beside[j] = 1;
   }
   if (change.split + change.deleted > 0) particles = make_particles(surface, spacing, std::move(points));
+  if (fixed != nullptr) *fixed = std::move(stays_now);
   return change;
 }
 

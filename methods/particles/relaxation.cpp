@@ -51,8 +51,8 @@ Pull pull_on(const Particles& particles, const NeighbourLists& near, std::size_t
 
 class Relaxation {
  public:
-  Relaxation(const Isosurface& surface, const Spacing& spacing, Particles& particles)
-      : surface_(surface), spacing_(spacing), now_(particles), next_(particles) {
+  Relaxation(const Isosurface& surface, const Spacing& spacing, Particles& particles, const std::vector<char>& fixed)
+      : surface_(surface), spacing_(spacing), fixed_(fixed), now_(particles), next_(particles) {
     velocity_.assign(particles.size(), Eigen::Vector3d::Zero());
     energy_.assign(particles.size(), 0.0);
   }
@@ -71,6 +71,7 @@ class Relaxation {
         Range(0, now_.size(), 512), std::size_t{0},
         [&](const Range& range, std::size_t count) {
           for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (!fixed_.empty() && fixed_[i] != 0) continue;  // where it is in both
             step(i);
             const double away = (next_.points[i] - anchor_[i]).norm();
             count += away > 0.5 * skin / beta * next_.spacing[i] ? 1 : 0;
@@ -122,6 +123,7 @@ class Relaxation {
 
   const Isosurface& surface_;
   const Spacing& spacing_;
+  const std::vector<char>& fixed_;
   Particles& now_;
   Particles next_;
   NeighbourLists near_;
@@ -168,14 +170,16 @@ double pair_energy(const Particles& particles, std::size_t i, std::size_t j) {
   return PotentialTable::instance().at(d).energy;
 }
 
-void relax(const Isosurface& surface, const Spacing& spacing, Particles& particles, int sweeps, Monitor& monitor) {
-  Relaxation relaxation(surface, spacing, particles);
+void relax(const Isosurface& surface, const Spacing& spacing, Particles& particles, int sweeps, Monitor& monitor,
+           const std::vector<char>& fixed) {
+  Relaxation relaxation(surface, spacing, particles, fixed);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     monitor.progress(static_cast<double>(sweep) / static_cast<double>(sweeps));
     monitor.trace("energy", relaxation.sweep());
   }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles.size(), 1024), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      if (!fixed.empty() && fixed[n] != 0) continue;
       const auto foot = surface.project(particles.points[n]);
       if (foot) particles.points[n] = *foot;
     }

@@ -18,6 +18,11 @@ struct Particles {
   std::vector<double> spacing;           ///< h/g where the particle is
 
   std::size_t size() const { return points.size(); }
+  void add(const Particles& other, std::size_t n) {
+    points.push_back(other.points[n]);
+    normals.push_back(other.normals[n]);
+    spacing.push_back(other.spacing[n]);
+  }
 };
 
 /// Particles at points of the surface.
@@ -26,8 +31,10 @@ Particles make_particles(const Isosurface& surface, const Spacing& spacing, std:
 /// `sweeps` sweeps in which every particle takes one damped Newton step with momentum (the positive part of the pair
 /// potential's Hessian, step ≤ 0.3 h) in its tangent plane and one Newton step back to F = c. All particles step from
 /// the same positions (Jacobi), so the result does not depend on the number of threads. At the end all are projected to
-/// 1e-6 voxel. Traces "energy", the mean a particle, once a sweep.
-void relax(const Isosurface& surface, const Spacing& spacing, Particles& particles, int sweeps, Monitor& monitor);
+/// 1e-6 voxel. Where `fixed` is given (one entry a particle), particles with an entry other than 0 act on others but
+/// stay. Traces "energy", the mean a particle, once a sweep.
+void relax(const Isosurface& surface, const Spacing& spacing, Particles& particles, int sweeps, Monitor& monitor,
+           const std::vector<char>& fixed = {});
 
 /// Neighbours within the potential's reach, √3 h, and `extra` times as much again.
 NeighbourLists acting_neighbours(const Particles& particles, double extra = 0.0);

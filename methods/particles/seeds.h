@@ -8,7 +8,7 @@
 
 #include "datasets/isosurface.h"
 #include "datasets/monitor.h"
-#include "methods/particles/fine_places.h"
+#include "methods/particles/small_places.h"
 #include "methods/sizing/sizing_field.h"
 #include "methods/triangle_mesh.h"
 
@@ -17,8 +17,8 @@ namespace isobench::particles {
 /// How far apart particles shall be at a point: h/g.
 struct Spacing {
   const SizingField& field;
-  double contraction = 1.0;           ///< g
-  const FinePlaces* finer = nullptr;  ///< where h is smaller than the field can say
+  double contraction = 1.0;            ///< g
+  const SmallPlaces* finer = nullptr;  ///< where h is smaller than the field can say
   double operator()(const Eigen::Vector3d& x) const {
     const double h = field.h(x);
     return (finer == nullptr ? h : std::min(h, finer->bound(x))) / contraction;

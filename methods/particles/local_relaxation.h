@@ -1,0 +1,25 @@
+// Relaxing a few particles again, where the sizing turned out too large.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "methods/particles/relaxation.h"
+#include "methods/particles/small_places.h"
+
+namespace isobench::particles {
+
+struct Exchange {
+  std::vector<std::uint32_t> gone;  ///< ascending
+  Particles fresh;                  ///< what stands for them
+};
+
+/// Makes h smaller around the points, by 0.7 within 1.2 times the spacing and rising again from there, but nowhere
+/// smaller than `least` mm, and relaxes the particles within three times the spacing, with population control, among
+/// the others, which stay. `smaller`, which gets the places, is where `spacing` looks for them. Time linear in the
+/// particles, but with a small factor: what counts are those that move.
+Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, const Spacing& spacing,
+                      SmallPlaces& smaller, double least, const Particles& particles, Monitor& monitor);
+
+}  // namespace isobench::particles
