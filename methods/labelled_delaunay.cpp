@@ -7,6 +7,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -35,6 +36,16 @@ Eigen::Vector3d to_eigen(const Kernel3::Point_3& p) { return {p.x(), p.y(), p.z(
 Eigen::Vector3d circumcentre(const Cell& cell) {
   return to_eigen(CGAL::circumcenter(cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
                                      cell->vertex(3)->point()));
+}
+
+// CGAL's cells come in an order that depends on addresses once a point has been removed: results must not.
+const Triangle& corners_of(const Triangle& triangle) { return triangle; }
+const Triangle& corners_of(const LabelledDelaunay::Facet& facet) { return facet.corners; }
+
+template <class Item>
+void sort_by_corners(std::vector<Item>& items) {
+  tbb::parallel_sort(items.begin(), items.end(),
+                     [](const Item& a, const Item& b) { return corners_of(a) < corners_of(b); });
 }
 
 // A flat cell's circumcentre may lie anywhere or be no number: not within the volume means outside.
@@ -78,7 +89,9 @@ struct LabelledDelaunay::Triangulation {
   Triangle corners(const Cell& cell, int i) const {
     // vertex_triple_index orders them counter-clockwise seen from vertex i, which is inside.
     const auto corner = [&](int n) { return cell->vertex(Delaunay::vertex_triple_index(i, n))->info(); };
-    return {corner(0), corner(2), corner(1)};
+    Triangle result{corner(0), corner(2), corner(1)};
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
   }
 
   Facet facet(const Cell& cell, int i, const Triangle& corners) const {
@@ -97,9 +110,10 @@ struct LabelledDelaunay::Triangulation {
     }
   }
 
+  // Before those that are gone are taken away.
+  void insert(const std::vector<Eigen::Vector3d>& added, const std::vector<std::uint32_t>& gone);
   // Closes ranks; says of each point that stays whether one went beside it, so that its cells changed.
   std::vector<char> remove(const std::vector<std::uint32_t>& gone);
-  void insert(const std::vector<Eigen::Vector3d>& added);
   void label(const std::vector<Cell>& cells);
 
   const Isosurface& surface;
@@ -133,6 +147,7 @@ std::vector<LabelledDelaunay::Facet> LabelledDelaunay::facets() const {
   result.reserve(2 * t.points.size());
   t.visit_facets(
       [&](const Cell& cell, int i, const Triangle& corners) { result.push_back(t.facet(cell, i, corners)); });
+  sort_by_corners(result);
   return result;
 }
 
@@ -140,6 +155,7 @@ std::vector<Triangle> LabelledDelaunay::triangles() const {
   std::vector<Triangle> result;
   result.reserve(2 * triangulation_->points.size());
   triangulation_->visit_facets([&](const Cell&, int, const Triangle& corners) { result.push_back(corners); });
+  sort_by_corners(result);
   return result;
 }
 
@@ -164,15 +180,36 @@ std::vector<LabelledDelaunay::Facet> LabelledDelaunay::facets_at(const std::vect
       }
     }
   }
+  sort_by_corners(result);
   return result;
+}
+
+void LabelledDelaunay::Triangulation::insert(const std::vector<Eigen::Vector3d>& added,
+                                             const std::vector<std::uint32_t>& gone) {
+  for (const Eigen::Vector3d& x : added) {
+    const std::size_t before = delaunay.number_of_vertices();
+    // What is added together mostly stands together.
+    const auto vertex = delaunay.insert(Kernel3::Point_3(x[0], x[1], x[2]), vertices.back());
+    // Where one that is to go stands, that one's vertex becomes this one's.
+    if (delaunay.number_of_vertices() == before) {
+      if (!std::binary_search(gone.begin(), gone.end(), vertex->info()))
+        throw Error("a point was to be added to a triangulation where another one stands already");
+      vertices[vertex->info()] = Delaunay::Vertex_handle();
+    }
+    vertex->info() = static_cast<std::uint32_t>(points.size());
+    points.push_back(x);
+    vertices.push_back(vertex);
+  }
 }
 
 std::vector<char> LabelledDelaunay::Triangulation::remove(const std::vector<std::uint32_t>& gone) {
   std::vector<char> beside(points.size(), 0);
   std::vector<Cell> fresh;
   for (const std::uint32_t point : gone) {
+    if (vertices[point] == Delaunay::Vertex_handle()) continue;
     fresh.clear();
     delaunay.remove_and_give_new_cells(vertices[point], std::back_inserter(fresh));
+    if (delaunay.dimension() < 3) throw Error(too_flat);
     vertices[point] = Delaunay::Vertex_handle();
     for (const Cell& cell : fresh) {
       cell->info() = false;
@@ -196,17 +233,6 @@ std::vector<char> LabelledDelaunay::Triangulation::remove(const std::vector<std:
   return beside;
 }
 
-void LabelledDelaunay::Triangulation::insert(const std::vector<Eigen::Vector3d>& added) {
-  for (const Eigen::Vector3d& x : added) {
-    // What is added together mostly stands together.
-    const Kernel3::Point_3 point(x[0], x[1], x[2]);
-    const auto vertex = vertices.empty() ? delaunay.insert(point) : delaunay.insert(point, vertices.back());
-    vertex->info() = static_cast<std::uint32_t>(points.size());
-    points.push_back(x);
-    vertices.push_back(vertex);
-  }
-}
-
 void LabelledDelaunay::Triangulation::label(const std::vector<Cell>& cells) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 1024), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) cells[n]->info() = inside_object(cells[n], surface);
@@ -216,17 +242,15 @@ void LabelledDelaunay::Triangulation::label(const std::vector<Cell>& cells) {
 std::vector<std::uint32_t> LabelledDelaunay::replace(const std::vector<std::uint32_t>& gone,
                                                      const std::vector<Eigen::Vector3d>& points) {
   Triangulation& t = *triangulation_;
-  std::vector<char> beside(t.points.size(), 0);
-  if (!gone.empty()) beside = t.remove(gone);
-  const std::size_t kept = t.points.size();
-  t.insert(points);
-  if (t.delaunay.dimension() < 3) throw Error(too_flat);
+  const std::size_t kept = t.points.size() - gone.size();
+  // Those that come first: where nothing stands any more, each that goes is dear, with cells from sheet to sheet.
+  t.insert(points, gone);
+  const std::vector<char> beside = t.remove(gone);
 
   // A cell that is new has a new corner or, where points went, only corners beside them.
   const auto is_new = [kept](std::uint32_t corner) { return corner >= kept; };
   const auto is_near = [&](std::uint32_t corner) { return is_new(corner) || beside[corner] != 0; };
   std::vector<char> changed = beside;
-  changed.resize(t.points.size(), 1);
   std::vector<Cell> fresh;
   std::vector<Cell> around;
   std::vector<std::uint32_t> corners;
@@ -257,6 +281,11 @@ std::vector<std::uint32_t> LabelledDelaunay::replace(const std::vector<std::uint
     if (changed[point] != 0) result.push_back(point);
   }
   return result;
+}
+
+std::uint32_t LabelledDelaunay::nearest(const Eigen::Vector3d& x, std::uint32_t near) const {
+  const Triangulation& t = *triangulation_;
+  return t.delaunay.nearest_vertex(Kernel3::Point_3(x[0], x[1], x[2]), t.vertices[near]->cell())->info();
 }
 
 bool LabelledDelaunay::flip_label_at(std::uint32_t point) {

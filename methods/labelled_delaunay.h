@@ -21,7 +21,7 @@ class LabelledDelaunay {
   /// A triangle of the surface and its dual edge, from the circumcentre of the cell inside to that of the cell outside
   /// (where that is beyond the convex hull: to a point well outside, across the facet).
   struct Facet {
-    Triangle corners;  ///< counter-clockwise seen from outside, indices of points
+    Triangle corners;  ///< counter-clockwise seen from outside, indices of points, the least first
     Eigen::Vector3d inside;
     Eigen::Vector3d outside;
   };
@@ -37,7 +37,7 @@ class LabelledDelaunay {
   LabelledDelaunay(const LabelledDelaunay&) = delete;
   LabelledDelaunay& operator=(const LabelledDelaunay&) = delete;
 
-  /// Time linear in the cells.
+  /// By ascending corners, as all below. Time linear in the cells.
   std::vector<Facet> facets() const;
   /// Those with a corner among `points`, which are ascending. Time linear in these points, but for a byte of all.
   std::vector<Facet> facets_at(const std::vector<std::uint32_t>& points) const;
@@ -46,12 +46,16 @@ class LabelledDelaunay {
   /// Takes away the points `gone`, ascending, and adds `points`, distinct from all that stay: those that stay close
   /// ranks, and the new ones follow them. Only cells that come by this, and others at their corners, are labelled
   /// (anew, if by flip_label_at). Returns the points, as now numbered, whose cells have changed, ascending: facets of
-  /// which no corner is among them are as they were. Throws Error if the points no longer span a tetrahedron. Cost:
-  /// some 50 µs a point that goes, 20 one that comes, on one thread.
+  /// which no corner is among them are as they were. Throws Error if the points no longer span a tetrahedron,
+  /// and where one comes onto one that stays; the triangulation is of no use then. Cost: some 50 µs a point that goes,
+  /// 20 one that comes, on one thread.
   std::vector<std::uint32_t> replace(const std::vector<std::uint32_t>& gone,
                                      const std::vector<Eigen::Vector3d>& points);
   /// Adds points only.
   std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points) { return replace({}, points); }
+
+  /// The point nearest to x, sought from one that is near. Cost: a microsecond or two, from a near one.
+  std::uint32_t nearest(const Eigen::Vector3d& x, std::uint32_t near) const;
 
   /// Changes the label of the finite cell that has the least |f|/|∇f| at its circumcentre among those at a point: the
   /// last resort where no point can be added. False where the point has none within half a voxel of the surface.

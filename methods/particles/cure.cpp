@@ -19,7 +19,8 @@ namespace {
 using Facet = LabelledDelaunay::Facet;
 
 constexpr double least_facet_cosine = 0.5;  // facets tilted further from a corner's normal are wrong
-constexpr double least_gap = 0.15;          // of a new particle to others, times the spacing there
+constexpr double least_gap = 0.15;          // of a new particle to others around it, times the spacing there
+constexpr double least_gap_to_all = 0.01;   // and to any
 
 // Which facets each particle is a corner of.
 struct Fans {
@@ -144,13 +145,19 @@ class Curing {
   Cure run(Monitor& monitor) {
     Findings found = look();
     cure_.before = found.defects;
-    found = add_where_needed(std::move(found), monitor);
     const int relaxations = smaller_ != nullptr ? limits_.relaxations : 0;
-    while (!places_.empty() && cure_.relaxations < relaxations) {
+    while (found.defects.all() > 0 && cure_.relaxations < relaxations) {
       monitor.progress(static_cast<double>(cure_.relaxations) / relaxations);
-      ++cure_.relaxations;
+      add(found);
+      if (places_.empty()) break;
       relax(monitor);
-      found = add_where_needed(look(), monitor);
+      found = look();
+    }
+    for (int round = 0; round < limits_.rounds && found.defects.all() > 0; ++round) {
+      monitor.check();
+      if (add(found) == 0) break;
+      ++cure_.rounds;
+      found = look();
     }
     cut(found);
     cure_.after = found.defects;
@@ -158,25 +165,6 @@ class Curing {
   }
 
  private:
-  // Adds particles until nothing is wrong or none more fits; what is wrong then.
-  Findings add_where_needed(Findings found, Monitor& monitor) {
-    for (int round = 0; round < limits_.rounds && found.defects.all() > 0; ++round) {
-      monitor.check();
-      const std::size_t added = add(found);
-      if (added == 0) break;
-      ++cure_.rounds;
-      cure_.inserted += added;
-      found = look();
-    }
-    for (const std::uint32_t n : found.facets) {
-      const auto& [a, b, c] = facets_[n].corners;
-      const Eigen::Vector3d middle = (particles_.points[a] + particles_.points[b] + particles_.points[c]) / 3.0;
-      places_.push_back(surface_.project(middle).value_or(particles_.points[a]));
-    }
-    for (const std::uint32_t n : found.isolated) places_.push_back(particles_.points[n]);
-    return found;
-  }
-
   // Points do no more: cuts what is still pinched.
   void cut(Findings& found) {
     constexpr int cuts = 10;
@@ -234,36 +222,43 @@ class Curing {
     return found;
   }
 
-  // Adds particles for all findings; how many.
+  bool is_near(const Eigen::Vector3d& x, std::uint32_t particle, double gap) const {
+    return (particles_.points[particle] - x).norm() <= gap * particles_.spacing[particle];
+  }
+
+  // Of one that is to be added: what leads to it may lead to the same again, from another sheet and in a later round.
+  void consider(const Eigen::Vector3d& x, std::uint32_t near) {
+    if (!is_near(x, delaunay_.nearest(x, near), least_gap_to_all)) added_.push_back(x);
+  }
+
+  // Adds particles for all findings; how many. Says, too, where something is wrong and none more fits.
   std::size_t add(const Findings& found) {
     added_.clear();
+    places_.clear();
     for (const std::uint32_t n : found.facets) {
-      const Facet& facet = facets_[n];
-      for (const Eigen::Vector3d& x : points_on_dual(facet, surface_)) {
-        const bool far = std::all_of(facet.corners.begin(), facet.corners.end(), [&](std::uint32_t corner) {
-          return (particles_.points[corner] - x).norm() > least_gap * particles_.spacing[corner];
-        });
-        if (far) added_.push_back(x);
-      }
+      const std::size_t before = added_.size();
+      pierce(facets_[n]);
+      if (added_.size() == before) places_.push_back(middle(facets_[n]));
     }
     for (const std::uint32_t n : found.isolated) surround(n);
     for (const auto& component : lost_) {
       for (const Eigen::Vector3d& x : component) {
         const auto foot = surface_.project(x);
-        if (foot) added_.push_back(*foot);
+        if (foot) consider(*foot, 0);
       }
     }
     const Particles fresh = make_particles(surface_, spacing_, thinned());
     exchange({}, fresh);
     places_.insert(places_.end(), fresh.points.begin(), fresh.points.end());
+    cure_.inserted += fresh.size();
     return fresh.size();
   }
 
   void relax(Monitor& monitor) {
     const Exchange relaxed = relax_around(places_, surface_, spacing_, *smaller_, limits_.least, particles_, monitor);
-    places_.clear();
-    cure_.relaxed += relaxed.fresh.size();
     exchange(relaxed.gone, relaxed.fresh);
+    cure_.relaxed += relaxed.fresh.size();
+    ++cure_.relaxations;
   }
 
   // Takes particles away, adds others, and suspects what has to do with them.
@@ -300,6 +295,21 @@ class Curing {
     suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
   }
 
+  // Where a facet's dual edge crosses the surface.
+  void pierce(const Facet& facet) {
+    for (const Eigen::Vector3d& x : points_on_dual(facet, surface_)) {
+      const bool crowds = std::any_of(facet.corners.begin(), facet.corners.end(),
+                                      [&](std::uint32_t corner) { return is_near(x, corner, least_gap); });
+      if (!crowds) consider(x, facet.corners[0]);
+    }
+  }
+
+  Eigen::Vector3d middle(const Facet& facet) const {
+    const auto& [a, b, c] = facet.corners;
+    const Eigen::Vector3d mean = (particles_.points[a] + particles_.points[b] + particles_.points[c]) / 3.0;
+    return surface_.project(mean).value_or(particles_.points[a]);
+  }
+
   // A ring about a particle that the surface passes by: with it, the particle's cells are small against the sheet.
   void surround(std::uint32_t n) {
     const Eigen::Vector3d& normal = particles_.normals[n];
@@ -310,7 +320,7 @@ class Curing {
       const double angle = 2.0 * M_PI * corner / corners;
       const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
       const auto foot = surface_.project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
-      if (foot && (*foot - particles_.points[n]).norm() > least_gap * particles_.spacing[n]) added_.push_back(*foot);
+      if (foot && !is_near(*foot, n, least_gap)) consider(*foot, n);
     }
   }
 
@@ -342,7 +352,7 @@ class Curing {
   std::vector<Facet> facets_;             // those at what was suspect
   std::vector<std::vector<Eigen::Vector3d>> lost_;
   std::vector<Eigen::Vector3d> added_;
-  std::vector<Eigen::Vector3d> places_;  // where particles were added, or none more fits, since the last relaxation
+  std::vector<Eigen::Vector3d> places_;  // where particles were last added, or none more fitted
   Cure cure_;
 };
 

@@ -84,6 +84,33 @@ TEST(ParticlesCure, PartsSheetsThatAreNearerThanTheEdgesAreLong) {
   }
 }
 
+// With the surroundings relaxed, none of the triangles is tilted any more, and the particles are apart as they should.
+TEST(ParticlesCure, RelaxesUntilNothingIsLeft) {
+  for (const char* name : {"thin-sheets", "near-spheres"}) {
+    SCOPED_TRACE(name);
+    Case sheets(name, 128, 2.0);
+    const std::size_t count = sheets.all.size();
+    const Cure cured = sheets.run(30, 8);
+    EXPECT_GT(cured.relaxations, 0);
+    EXPECT_GT(cured.relaxed, cured.inserted);
+    EXPECT_EQ(cured.rounds, 0);
+    EXPECT_EQ(cured.after.all(), 0U);
+    EXPECT_GT(sheets.all.size(), count);
+    expect_closed(sheets.mesh, phantom(name));
+    for (std::size_t n = 0; n < sheets.all.size(); ++n) {
+      const Jet jet = sheets.surface.value_gradient(sheets.all.points[n]);
+      EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * sheets.surface.voxel());
+      EXPECT_GT(sheets.all.normals[n].dot(outward_normal(jet.gradient)), 0.9999);
+    }
+    // What the cure leaves is what a new triangulation of its particles is, and that has nothing to cure.
+    LabelledDelaunay again(sheets.all.points, sheets.surface, sheets.monitor);
+    EXPECT_EQ(again.triangles(), sheets.mesh.triangles);
+    const Cure nothing = particles::cure(sheets.surface, sheets.spacing, &sheets.smaller, sheets.lattice_mesh,
+                                         sheets.all, again, {}, sheets.monitor);
+    EXPECT_EQ(nothing.before.all(), 0U);
+  }
+}
+
 TEST(ParticlesCure, FindsAComponentThatHasNoParticles) {
   Case spheres("near-spheres", 64, 3.0);
   const double middle = 0.5 * spheres.surface.extent()[0];
@@ -104,7 +131,7 @@ TEST(ParticlesCure, DoesNotDependOnThreads) {
   for (const std::size_t threads : {1, 4}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     Case sheets("thin-sheets", 96, 2.0);
-    sheets.run(3);
+    sheets.run(3, 2);
     meshes.push_back(std::move(sheets.mesh));
   }
   EXPECT_EQ(meshes[0].vertices, meshes[1].vertices);

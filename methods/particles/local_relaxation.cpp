@@ -14,7 +14,7 @@ namespace {
 
 constexpr double shrink = 0.7;
 constexpr double shrunk = 1.2;  // times the spacing around a point
-constexpr double loose = 3.0;   // the smaller spacing has become the old one by then
+constexpr double loose = 2.0;   // with three, half as many particles more would have to move, for the same
 constexpr int local_controls = 2;
 constexpr int sweeps_between = 6;  // before, between and after the controls
 constexpr double split_below = 0.6;

@@ -16,7 +16,7 @@ struct Exchange {
 };
 
 /// Makes h smaller around the points, by 0.7 within 1.2 times the spacing and rising again from there, but nowhere
-/// smaller than `least` mm, and relaxes the particles within three times the spacing, with population control, among
+/// smaller than `least` mm, and relaxes the particles within twice the spacing, with population control, among
 /// the others, which stay. `smaller`, which gets the places, is where `spacing` looks for them. Time linear in the
 /// particles, but with a small factor: what counts are those that move.
 Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, const Spacing& spacing,

@@ -41,7 +41,8 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"cure_relaxations",
        preset.cure_relaxations,
        "",
-       "of cure: how often, at most, h is made smaller where particles were added and those around relax again",
+       "of cure: how often, at most and first of all, h is made smaller where particles are added, and all around "
+       "relax",
        0.0,
        100.0,
        {},
