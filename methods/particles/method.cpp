@@ -10,7 +10,7 @@ Method method_particles() {
   method.summary =
       "Particles on F = c relaxed to a hexagonal packing under the sizing field, closed by a sign-labelled Delaunay "
       "triangulation (after Meyer, Kirby, Whitaker 2007)";
-  method.revision = 5;
+  method.revision = 6;
   method.parameters = particles::pipeline_parameters({.medial_axis = "shrinking-balls",
                                                       .sizing_nodes = "projected",
                                                       .limiter = "fast-iterative",

@@ -33,7 +33,7 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"cure",
        preset.cure,
        "",
-       "of labelled-delaunay: rounds, at most, in which particles are added where its topology is not the surface's",
+       "of labelled-delaunay: rounds, at most, in which particles are added where it is not the surface's; 0: no cure",
        0.0,
        100.0,
        {},
