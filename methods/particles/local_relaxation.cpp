@@ -16,9 +16,9 @@ constexpr double shrink = 0.7;
 constexpr double shrunk = 1.2;  // times the spacing around a point
 constexpr double loose = 2.0;   // with three, half as many particles more would have to move, for the same
 constexpr int local_controls = 2;
-constexpr int sweeps_between = 6;  // before, between and after the controls
-constexpr double split_below = 0.6;
-constexpr double delete_above = 1.6;
+constexpr int sweeps_between = 6;     // before, between and after the controls
+constexpr double least_energy = 0.6;  // times the ideal; with less a particle splits
+constexpr double most_energy = 1.6;   // with more it goes
 
 std::vector<SmallPlace> smaller_places(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing,
                                        double least) {
@@ -58,7 +58,7 @@ Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurfa
   Monitor own;  // the traces are of relaxing all
   for (int control = 0; control <= local_controls; ++control) {
     monitor.check();
-    if (control > 0) control_population(surface, spacing, all, split_below, delete_above, &fixed);
+    if (control > 0) control_population(surface, spacing, all, least_energy, most_energy, &fixed);
     relax(surface, spacing, all, sweeps_between, own, fixed);
   }
   for (std::size_t n = 0; n < all.size(); ++n) {
