@@ -240,7 +240,11 @@ class Curing {
       pierce(facets_[n]);
       if (added_.size() == before) places_.push_back(middle(facets_[n]));
     }
-    for (const std::uint32_t n : found.isolated) surround(n);
+    for (const std::uint32_t n : found.isolated) {
+      const std::size_t before = added_.size();
+      surround(n);
+      if (added_.size() == before) places_.push_back(particles_.points[n]);
+    }
     for (const auto& component : lost_) {
       for (const Eigen::Vector3d& x : component) {
         const auto foot = surface_.project(x);
