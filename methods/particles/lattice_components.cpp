@@ -27,13 +27,16 @@ std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) 
 
 }  // namespace
 
-LatticeComponents::LatticeComponents(const TriangleMesh& mesh)
-    : mesh_(mesh), tree_(mesh.vertices), of_vertex_(component_roots(mesh)) {}
+LatticeComponents::LatticeComponents(const TriangleMesh& mesh) : mesh_(mesh), of_vertex_(component_roots(mesh)) {
+  const auto differs = [this](std::uint32_t root) { return root != of_vertex_.front(); };
+  if (std::any_of(of_vertex_.begin(), of_vertex_.end(), differs)) tree_.emplace(mesh.vertices);
+}
 
 std::vector<std::uint32_t> LatticeComponents::of(const std::vector<Eigen::Vector3d>& points) const {
+  if (!tree_) return std::vector<std::uint32_t>(points.size(), of_vertex_.empty() ? 0 : of_vertex_.front());
   std::vector<std::uint32_t> result(points.size());
   tbb::parallel_for(std::size_t{0}, points.size(),
-                    [&](std::size_t n) { result[n] = of_vertex_[tree_.nearest(points[n]).first]; });
+                    [&](std::size_t n) { result[n] = of_vertex_[tree_->nearest(points[n]).first]; });
   return result;
 }
 

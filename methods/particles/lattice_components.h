@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "methods/sizing/point_tree.h"
@@ -24,8 +25,8 @@ class LatticeComponents {
 
  private:
   const TriangleMesh& mesh_;
-  PointTree tree_;
   std::vector<std::uint32_t> of_vertex_;
+  std::optional<PointTree> tree_;  // of the vertices; where all are on one component, there is nothing to look for
 };
 
 }  // namespace isobench::particles
