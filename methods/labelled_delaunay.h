@@ -54,7 +54,7 @@ class LabelledDelaunay {
   /// Adds points only.
   std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points) { return replace({}, points); }
 
-  /// The point nearest to x, sought from one that is near. Cost: a microsecond or two, from a near one.
+  /// The point nearest to x, sought from one that is near.
   std::uint32_t nearest(const Eigen::Vector3d& x, std::uint32_t near) const;
 
   /// Changes the label of the finite cell that has the least |f|/|∇f| at its circumcentre among those at a point: the

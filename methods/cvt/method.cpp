@@ -7,6 +7,7 @@
 #include "methods/labelled_delaunay.h"
 #include "methods/marching-cubes/marching_cubes.h"
 #include "methods/particles/cure.h"
+#include "methods/particles/local_relaxation.h"
 #include "methods/particles/seeds.h"
 
 namespace isobench {
@@ -25,8 +26,9 @@ void book(const particles::Cure& cured, Monitor& monitor) {
 
 class Mesher {
  public:
-  Mesher(const MeshingTask& task, const particles::Spacing& spacing, Monitor& monitor)
-      : task_(task), spacing_(spacing), sizes_(spacing), monitor_(monitor) {}
+  /// `smaller` is where `spacing` looks for smaller places.
+  Mesher(const MeshingTask& task, const particles::Spacing& spacing, particles::SmallPlaces& smaller, Monitor& monitor)
+      : task_(task), spacing_(spacing), smaller_(smaller), monitor_(monitor) {}
 
   TriangleMesh mesh() {
     seed();
@@ -38,7 +40,8 @@ class Mesher {
     const int rounds = task_.parameters.integer("rounds");
     int round = 0;
     for (; round < rounds && sites_.size() > sites; ++round) {
-      sizes_.refine({sites_.points.begin() + static_cast<std::ptrdiff_t>(sites), sites_.points.end()});
+      particles::shrink_around({sites_.points.begin() + static_cast<std::ptrdiff_t>(sites), sites_.points.end()},
+                               spacing_, smaller_);
       constexpr Iterations again{3, 20};
       optimise(again, std::move(triangles));
       sites = sites_.size();
@@ -69,7 +72,7 @@ class Mesher {
   void optimise(const Iterations& iterations, std::vector<Triangle> triangles) {
     const auto stage = monitor_.stage("optimisation");
     DelaunayMesh mesh(std::move(triangles), sites_.size());
-    const Optimised done = cvt::optimise(task_.surface, sizes_, sites_, mesh, iterations, monitor_);
+    const Optimised done = cvt::optimise(task_.surface, spacing_, sites_, mesh, iterations, monitor_);
     monitor_.add("cvt/lloyd iterations", done.lloyd);
     monitor_.add("cvt/quasi-newton iterations", done.quasi_newton);
     monitor_.add("cvt/shortened steps", static_cast<double>(done.shortened));
@@ -89,7 +92,7 @@ class Mesher {
 
   const MeshingTask& task_;
   const particles::Spacing& spacing_;
-  Sizes sizes_;
+  particles::SmallPlaces& smaller_;
   Monitor& monitor_;
   TriangleMesh lattice_mesh_;
   particles::Particles sites_;
@@ -97,8 +100,11 @@ class Mesher {
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   const auto field = task.sizing_field(monitor);
-  const particles::Spacing spacing{*field, task.sizing.uniform() ? 1.0 : task.parameters.number("contraction")};
-  return Mesher(task, spacing, monitor).mesh();
+  constexpr double growth = 0.3;  // of h, a mm, away from where it was made smaller
+  particles::SmallPlaces smaller(task.surface, growth);
+  const double contraction = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
+  const particles::Spacing spacing{*field, contraction, &smaller};
+  return Mesher(task, spacing, smaller, monitor).mesh();
 }
 
 }  // namespace

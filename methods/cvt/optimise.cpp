@@ -76,9 +76,10 @@ class History {
 
 class Optimiser {
  public:
-  Optimiser(const Isosurface& surface, const Sizes& sizes, Particles& sites, DelaunayMesh& mesh, Monitor& monitor)
-      : surface_(surface), sizes_(sizes), sites_(sites), mesh_(mesh), monitor_(monitor) {
-    for_all(sites_.size(), [&](std::size_t n) { sites_.spacing[n] = sizes_(sites_.points[n]); });
+  Optimiser(const Isosurface& surface, const particles::Spacing& spacing, Particles& sites, DelaunayMesh& mesh,
+            Monitor& monitor)
+      : surface_(surface), spacing_(spacing), sites_(sites), mesh_(mesh), monitor_(monitor) {
+    for_all(sites_.size(), [&](std::size_t n) { sites_.spacing[n] = spacing_(sites_.points[n]); });
     look();
   }
 
@@ -138,7 +139,7 @@ class Optimiser {
       if (normal.dot(from.normals[n]) <= 0.0) return;
       sites_.points[n] = *foot;
       sites_.normals[n] = normal;
-      sites_.spacing[n] = sizes_(*foot);
+      sites_.spacing[n] = spacing_(*foot);
     });
     look();
   }
@@ -193,7 +194,7 @@ class Optimiser {
   }
 
   const Isosurface& surface_;
-  const Sizes& sizes_;
+  const particles::Spacing& spacing_;
   Particles& sites_;
   DelaunayMesh& mesh_;
   Monitor& monitor_;
@@ -204,9 +205,9 @@ class Optimiser {
 
 }  // namespace
 
-Optimised optimise(const Isosurface& surface, const Sizes& sizes, Particles& sites, DelaunayMesh& mesh,
+Optimised optimise(const Isosurface& surface, const particles::Spacing& spacing, Particles& sites, DelaunayMesh& mesh,
                    const Iterations& iterations, Monitor& monitor) {
-  return Optimiser(surface, sizes, sites, mesh, monitor).run(iterations);
+  return Optimiser(surface, spacing, sites, mesh, monitor).run(iterations);
 }
 
 }  // namespace isobench::cvt

@@ -5,8 +5,8 @@
 #include "datasets/isosurface.h"
 #include "datasets/monitor.h"
 #include "methods/cvt/delaunay_mesh.h"
-#include "methods/cvt/sizes.h"
 #include "methods/particles/relaxation.h"
+#include "methods/particles/seeds.h"
 
 namespace isobench::cvt {
 
@@ -27,7 +27,7 @@ struct Optimised {
 /// it starts from the inverse of 2m and remembers seven steps. Both end early where the energy has stopped falling.
 /// Traces "energy", over that of regular hexagons, before each iteration and at the end. Deterministic for any number
 /// of threads. Cost: about 2 µs a point and iteration.
-Optimised optimise(const Isosurface& surface, const Sizes& sizes, particles::Particles& sites, DelaunayMesh& mesh,
-                   const Iterations& iterations, Monitor& monitor);
+Optimised optimise(const Isosurface& surface, const particles::Spacing& spacing, particles::Particles& sites,
+                   DelaunayMesh& mesh, const Iterations& iterations, Monitor& monitor);
 
 }  // namespace isobench::cvt

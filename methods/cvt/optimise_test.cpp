@@ -21,8 +21,7 @@ struct Case {
   Case(const std::string& name, int nodes, const SizingRequest& request, double contraction)
       : surface(sample_phantom(phantom(name), nodes), 0.0),
         field(make_sizing_field(surface, request, monitor)),
-        spacing{field, contraction},
-        sizes(spacing) {
+        spacing{field, contraction} {
     const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
     const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
     sites = particles::make_particles(
@@ -31,7 +30,7 @@ struct Case {
 
   Optimised run(const Iterations& iterations) {
     if (!mesh) mesh.emplace(LabelledDelaunay(sites.points, surface, monitor).triangles(), sites.size());
-    return optimise(surface, sizes, sites, *mesh, iterations, monitor);
+    return optimise(surface, spacing, sites, *mesh, iterations, monitor);
   }
 
   Cells cells() const { return voronoi_cells(sites.points, sites.spacing, mesh->triangles()); }
@@ -40,7 +39,6 @@ struct Case {
   Isosurface surface;
   SizingField field;
   particles::Spacing spacing;
-  Sizes sizes;
   particles::Particles sites;
   std::optional<DelaunayMesh> mesh;
 };
@@ -139,7 +137,7 @@ TEST(CvtOptimise, StopsWhenCancelled) {
   Case c("sphere", 32, uniform(3.0), 1.0);
   DelaunayMesh mesh(LabelledDelaunay(c.sites.points, c.surface, c.monitor).triangles(), c.sites.size());
   c.monitor.cancel();
-  EXPECT_THROW(optimise(c.surface, c.sizes, c.sites, mesh, {5, 5}, c.monitor), Cancelled);
+  EXPECT_THROW(optimise(c.surface, c.spacing, c.sites, mesh, {5, 5}, c.monitor), Cancelled);
 }
 
 }  // namespace

@@ -83,7 +83,6 @@ std::size_t keep_apart(Particles& particles, std::size_t first) {
   for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = least_distance * particles.spacing[i];
   const NeighbourLists near = find_neighbours(particles.points, reach);
   std::vector<char> gone(particles.size(), 0);
-  std::size_t kept = first;
   for (std::size_t i = first; i < particles.size(); ++i) {
     const auto in_the_way = [&](std::uint32_t j) {
       return j < i && gone[j] == 0 && particles.normals[i].dot(particles.normals[j]) > 0.0;
@@ -91,17 +90,8 @@ std::size_t keep_apart(Particles& particles, std::size_t first) {
     const auto others = near.of(i);
     gone[i] = std::any_of(others.begin(), others.end(), in_the_way) ? 1 : 0;
   }
-  for (std::size_t i = first; i < particles.size(); ++i) {
-    if (gone[i] != 0) continue;
-    particles.points[kept] = particles.points[i];
-    particles.normals[kept] = particles.normals[i];
-    particles.spacing[kept] = particles.spacing[i];
-    ++kept;
-  }
-  particles.points.resize(kept);
-  particles.normals.resize(kept);
-  particles.spacing.resize(kept);
-  return kept - first;
+  particles.erase(gone);
+  return particles.size() - first;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "methods/particles/lattice_components.h"
@@ -270,25 +271,14 @@ class Curing {
     std::vector<char> goes(particles_.size(), 0);
     for (const std::uint32_t n : gone) goes[n] = 1;
     std::vector<std::uint32_t> now(particles_.size());
-    std::size_t kept = 0;
-    for (std::size_t n = 0; n < particles_.size(); ++n) {
-      now[n] = static_cast<std::uint32_t>(kept);
-      if (goes[n] != 0) continue;
-      particles_.points[kept] = particles_.points[n];
-      particles_.normals[kept] = particles_.normals[n];
-      particles_.spacing[kept] = particles_.spacing[n];
-      component_[kept] = component_[n];
-      used_[kept] = used_[n];
-      ++kept;
-    }
-    particles_.points.resize(kept);
-    particles_.normals.resize(kept);
-    particles_.spacing.resize(kept);
+    std::transform_exclusive_scan(goes.begin(), goes.end(), now.begin(), 0U, std::plus<>(),
+                                  [](char goes_now) { return goes_now != 0 ? 0U : 1U; });
+    particles_.erase(goes);
+    erase_marked(component_, goes);
+    erase_marked(used_, goes);
     for (std::size_t n = 0; n < fresh.size(); ++n) particles_.add(fresh, n);
-    component_.resize(kept);
     const std::vector<std::uint32_t> fresh_components = components_.of(fresh.points);
     component_.insert(component_.end(), fresh_components.begin(), fresh_components.end());
-    used_.resize(kept);
     used_.resize(particles_.size(), 1);
 
     std::erase_if(suspects_, [&](std::uint32_t n) { return goes[n] != 0; });

@@ -14,14 +14,16 @@ namespace {
 
 constexpr double shrink = 0.7;
 constexpr double shrunk = 1.2;  // times the spacing around a point
-constexpr double loose = 2.0;   // with three, half as many particles more would have to move, for the same
+constexpr double loose = 2.0;   // with three, two thirds more particles would have to move, for the same
 constexpr int local_controls = 2;
 constexpr int sweeps_between = 6;     // before, between and after the controls
 constexpr double least_energy = 0.6;  // times the ideal; with less a particle splits
 constexpr double most_energy = 1.6;   // with more it goes
 
-std::vector<SmallPlace> smaller_places(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing,
-                                       double least) {
+}  // namespace
+
+void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing, SmallPlaces& smaller,
+                   double least) {
   std::vector<SmallPlace> places;
   places.reserve(points.size());
   for (const Eigen::Vector3d& x : points) {
@@ -29,15 +31,13 @@ std::vector<SmallPlace> smaller_places(const std::vector<Eigen::Vector3d>& point
     const double h = apart * spacing.contraction;
     places.push_back({x, std::min(h, std::max(least, shrink * h)), shrunk * apart, apart});
   }
-  return places;
+  smaller.add(places);
 }
-
-}  // namespace
 
 Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, const Spacing& spacing,
                       SmallPlaces& smaller, double least, const Particles& particles, Monitor& monitor) {
   const std::size_t first = smaller.size();
-  smaller.add(smaller_places(points, spacing, least));
+  shrink_around(points, spacing, smaller, least);
 
   // Those farther than `loose` units act on those within, and out of all reach nobody does.
   std::vector<double> away(particles.size());

@@ -11,6 +11,16 @@
 
 namespace isobench::particles {
 
+/// Takes away the items whose mark is not 0; the others close ranks. One mark an item.
+template <class Item>
+void erase_marked(std::vector<Item>& items, const std::vector<char>& marks) {
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < items.size(); ++n) {
+    if (marks[n] == 0) items[kept++] = items[n];
+  }
+  items.resize(kept);
+}
+
 /// Particles on F = c, one entry each (lattice frame, mm).
 struct Particles {
   std::vector<Eigen::Vector3d> points;
@@ -22,6 +32,11 @@ struct Particles {
     points.push_back(other.points[n]);
     normals.push_back(other.normals[n]);
     spacing.push_back(other.spacing[n]);
+  }
+  void erase(const std::vector<char>& marks) {
+    erase_marked(points, marks);
+    erase_marked(normals, marks);
+    erase_marked(spacing, marks);
   }
 };
 
