@@ -10,6 +10,7 @@
 #include <functional>
 #include <numeric>
 
+#include "methods/particles/dual_edge.h"
 #include "methods/particles/lattice_components.h"
 #include "methods/particles/local_relaxation.h"
 
@@ -67,55 +68,6 @@ bool is_tilted(const Facet& facet, const Particles& particles) {
       (particles.points[b] - particles.points[a]).cross(particles.points[c] - particles.points[a]).normalized();
   return std::any_of(facet.corners.begin(), facet.corners.end(),
                      [&](std::uint32_t corner) { return normal.dot(particles.normals[corner]) < least_facet_cosine; });
-}
-
-// The part of a dual edge that lies in the volume, as a start and a number of steps of at most a quarter voxel.
-struct Walk {
-  Walk(const Facet& facet, const Isosurface& surface) : from(facet.inside), to(facet.outside) {
-    // Inside is in the volume; outside may be far beyond it, where nothing is crossed any more.
-    double share = 1.0;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const double way = to[axis] - from[axis];
-      if (way > 0.0) share = std::min(share, (surface.extent()[axis] - from[axis]) / way);
-      if (way < 0.0) share = std::min(share, -from[axis] / way);
-    }
-    to = from + std::max(0.0, share) * (to - from);
-    steps = static_cast<int>(std::ceil((to - from).norm() / (0.25 * surface.voxel())));
-  }
-  Eigen::Vector3d at(int step) const { return from + (static_cast<double>(step) / steps) * (to - from); }
-
-  Eigen::Vector3d from;
-  Eigen::Vector3d to;
-  int steps = 0;
-};
-
-// How often the surface is crossed on the way.
-int crossings(const Facet& facet, const Isosurface& surface) {
-  const Walk walk(facet, surface);
-  bool inside = true;
-  int count = 0;
-  for (int step = 1; step <= walk.steps; ++step) {
-    const bool now = surface.value(walk.at(step)) > 0.0;
-    count += now == inside ? 0 : 1;
-    inside = now;
-  }
-  return count;
-}
-
-// The points of the surface on a facet's dual edge: that nearest to the facet and, of several, all.
-std::vector<Eigen::Vector3d> points_on_dual(const Facet& facet, const Isosurface& surface) {
-  std::vector<Eigen::Vector3d> points;
-  const Walk walk(facet, surface);
-  double before = 1.0;
-  for (int step = 1; step <= walk.steps; ++step) {
-    const double now = surface.value(walk.at(step));
-    if ((now > 0.0) != (before > 0.0)) {
-      const auto foot = surface.project(0.5 * (walk.at(step - 1) + walk.at(step)));
-      if (foot) points.push_back(*foot);
-    }
-    before = now;
-  }
-  return points;
 }
 
 // What is wrong, and where.
@@ -291,7 +243,7 @@ class Curing {
 
   // Where a facet's dual edge crosses the surface.
   void pierce(const Facet& facet) {
-    for (const Eigen::Vector3d& x : points_on_dual(facet, surface_)) {
+    for (const Eigen::Vector3d& x : crossing_points(facet, surface_)) {
       const bool crowds = std::any_of(facet.corners.begin(), facet.corners.end(),
                                       [&](std::uint32_t corner) { return is_near(x, corner, least_gap); });
       if (!crowds) consider(x, facet.corners[0]);
