@@ -1,4 +1,4 @@
-#include "datasets/isosurface.h"
+#include "isobench/datasets/isosurface.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cstring>
 #include <limits>
 
-#include "datasets/error.h"
-#include "datasets/spline_prefilter.h"
+#include "isobench/datasets/spline_prefilter.h"
+#include "isobench/foundation/error.h"
 
 // The evaluators are compiled twice and chosen at run time. Both do the same operations in the same order (contraction
 // is off), so results agree to the bit. Sanitizers' runtimes are not up yet when the choice is made: one version there.

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/volume.h"
+#include "isobench/datasets/volume.h"
 
 namespace isobench {
 

@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "datasets/phantoms.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/phantoms/phantoms.h"
 
 namespace isobench {
 namespace {

@@ -1,4 +1,4 @@
-#include "datasets/isosurface.h"
+#include "isobench/datasets/isosurface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <random>
 #include <string>
 
-#include "datasets/error.h"
-#include "datasets/phantoms.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 namespace {

@@ -1,4 +1,4 @@
-#include "datasets/spline_prefilter.h"
+#include "isobench/datasets/spline_prefilter.h"
 
 #include <tbb/parallel_for.h>
 

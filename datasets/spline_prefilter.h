@@ -1,7 +1,7 @@
 // From samples to the coefficients of the cubic B-spline that passes through them.
 #pragma once
 
-#include "datasets/volume.h"
+#include "isobench/datasets/volume.h"
 
 namespace isobench {
 

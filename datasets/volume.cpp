@@ -1,11 +1,11 @@
-#include "datasets/volume.h"
+#include "isobench/datasets/volume.h"
 
 #include <fmt/format.h>
 
 #include <Eigen/LU>
 #include <cmath>
 
-#include "datasets/error.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 

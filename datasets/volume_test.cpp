@@ -1,4 +1,4 @@
-#include "datasets/volume.h"
+#include "isobench/datasets/volume.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "datasets/error.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <algorithm>
 

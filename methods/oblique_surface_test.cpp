@@ -5,11 +5,11 @@
 
 #include <cstring>
 
-#include "datasets/isosurface.h"
-#include "datasets/oblique_files.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/mesh_facts.h"
-#include "methods/method.h"
+#include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods/parameters.h"
+#include "isobench/methods/parameters.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "datasets/error.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 

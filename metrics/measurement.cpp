@@ -1,10 +1,10 @@
-#include "metrics/measurement.h"
+#include "isobench/metrics/measurement.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "datasets/error.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 

@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "datasets/monitor.h"
-#include "methods/sizing/sizing_field.h"
-#include "methods/triangle_mesh.h"
-#include "metrics/angles.h"
-#include "metrics/distance.h"
-#include "metrics/distance_from_surface.h"
-#include "metrics/edge_lengths.h"
-#include "metrics/radius_ratio.h"
-#include "metrics/reference_topology.h"
-#include "metrics/topology.h"
-#include "metrics/valence.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
+#include "isobench/methods/sizing/sizing_field.h"
+#include "isobench/metrics/distance/distance.h"
+#include "isobench/metrics/distance/distance_from_surface.h"
+#include "isobench/metrics/shape/angles.h"
+#include "isobench/metrics/shape/edge_lengths.h"
+#include "isobench/metrics/shape/radius_ratio.h"
+#include "isobench/metrics/shape/valence.h"
+#include "isobench/metrics/topology/reference_topology.h"
+#include "isobench/metrics/topology/topology.h"
 
 namespace isobench {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "datasets/fuzz_target.h"
-#include "metrics/measurement.h"
+#include "isobench/foundation/testing/fuzz_target.h"
+#include "isobench/metrics/measurement.h"
 
 namespace isobench {
 

@@ -1,4 +1,4 @@
-#include "metrics/measurement.h"
+#include "isobench/metrics/measurement.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "datasets/error.h"
-#include "methods/sample_meshes.h"
+#include "isobench/foundation/error.h"
+#include "isobench/methods/mesh/sample_meshes.h"
 
 namespace isobench {
 

@@ -1,4 +1,4 @@
-#include "metrics/measurement.h"
+#include "isobench/metrics/measurement.h"
 
 namespace isobench {
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "methods/sample_meshes.h"
-#include "methods/self_intersections.h"
-#include "metrics/reference_topology.h"
-#include "metrics/topology.h"
+#include "isobench/methods/mesh/sample_meshes.h"
+#include "isobench/methods/mesh/self_intersections.h"
+#include "isobench/metrics/topology/reference_topology.h"
+#include "isobench/metrics/topology/topology.h"
 
 namespace isobench {
 

@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "datasets/catalogue.h"
-#include "methods/method.h"
-#include "metrics/measurement.h"
+#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/methods/method.h"
+#include "isobench/metrics/measurement.h"
 
 namespace isobench {
 namespace {

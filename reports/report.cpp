@@ -1,17 +1,18 @@
-#include "reports/report.h"
+#include "isobench/reports/report.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
 
-#include "reports/gnuplot.h"
-#include "reports/latex.h"
-#include "reports/page.h"
-#include "reports/pictures.h"
-#include "reports/plots.h"
-#include "reports/results.h"
-#include "reports/results_csv.h"
-#include "reports/tables.h"
+#include "isobench/reports/csv/results_csv.h"
+#include "isobench/reports/latex/latex.h"
+#include "isobench/reports/page/page.h"
+#include "isobench/reports/pictures/pictures.h"
+#include "isobench/reports/plots/gnuplot.h"
+#include "isobench/reports/plots/plots.h"
+#include "isobench/reports/runs/results.h"
+#include "isobench/reports/tables/tables.h"
+#include "isobench/reports/tables_document.h"
 
 namespace isobench {
 

@@ -1,4 +1,4 @@
-#include "methods/advancing-front/advance.h"
+#include "isobench/methods/advancing-front/advance.h"
 
 #include <algorithm>
 #include <array>

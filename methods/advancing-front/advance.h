@@ -8,11 +8,11 @@
 #include <queue>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "datasets/monitor.h"
-#include "methods/advancing-front/apex.h"
-#include "methods/advancing-front/fences.h"
-#include "methods/advancing-front/front.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/advancing-front/apex.h"
+#include "isobench/methods/advancing-front/fences.h"
+#include "isobench/methods/advancing-front/front.h"
 
 namespace isobench::advancing_front {
 

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <string>
 
-#include "datasets/phantoms.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/mesh_facts.h"
-#include "methods/method.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

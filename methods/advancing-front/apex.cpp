@@ -1,4 +1,4 @@
-#include "methods/advancing-front/apex.h"
+#include "isobench/methods/advancing-front/apex.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

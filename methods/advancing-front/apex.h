@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "datasets/isosurface.h"
-#include "methods/advancing-front/front.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/methods/advancing-front/front.h"
 
 namespace isobench::advancing_front {
 

@@ -1,4 +1,4 @@
-#include "methods/advancing-front/apex.h"
+#include "isobench/methods/advancing-front/apex.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "datasets/phantoms.h"
+#include "isobench/datasets/phantoms/phantoms.h"
 
 namespace isobench::advancing_front {
 namespace {

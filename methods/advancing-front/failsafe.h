@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "methods/advancing-front/front.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/methods/advancing-front/front.h"
 
 namespace isobench::advancing_front {
 

@@ -1,4 +1,4 @@
-#include "methods/advancing-front/failsafe.h"
+#include "isobench/methods/advancing-front/failsafe.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "methods/advancing-front/fences.h"
+#include "isobench/methods/advancing-front/fences.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "methods/advancing-front/front.h"
+#include "isobench/methods/advancing-front/front.h"
 
 namespace isobench::advancing_front {
 

@@ -1,4 +1,4 @@
-#include "methods/advancing-front/front.h"
+#include "isobench/methods/advancing-front/front.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "methods/advancing-front/edge_table.h"
-#include "methods/advancing-front/spatial_hash.h"
-#include "methods/triangle_mesh.h"
+#include "isobench/methods/advancing-front/edge_table.h"
+#include "isobench/methods/advancing-front/spatial_hash.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
 
 namespace isobench::advancing_front {
 

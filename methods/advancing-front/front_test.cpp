@@ -1,8 +1,8 @@
-#include "methods/advancing-front/front.h"
+#include "isobench/methods/advancing-front/front.h"
 
 #include <gtest/gtest.h>
 
-#include "methods/mesh_facts.h"
+#include "isobench/methods/mesh/mesh_facts.h"
 
 namespace isobench::advancing_front {
 namespace {

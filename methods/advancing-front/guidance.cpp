@@ -1,4 +1,4 @@
-#include "methods/advancing-front/guidance.h"
+#include "isobench/methods/advancing-front/guidance.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "methods/particles/random.h"
-#include "methods/sizing/band.h"
-#include "methods/sizing/limit.h"
+#include "isobench/methods/particles/sampling/random.h"
+#include "isobench/methods/sizing/band.h"
+#include "isobench/methods/sizing/limit.h"
 
 namespace isobench::advancing_front {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "datasets/isosurface.h"
-#include "datasets/monitor.h"
-#include "methods/sizing/sizing_field.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/sizing/sizing_field.h"
 
 namespace isobench::advancing_front {
 

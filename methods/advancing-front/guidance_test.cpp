@@ -1,12 +1,12 @@
-#include "methods/advancing-front/guidance.h"
+#include "isobench/methods/advancing-front/guidance.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
 
-#include "datasets/phantoms.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench::advancing_front {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
-#include "methods/advancing-front/advance.h"
-#include "methods/advancing-front/failsafe.h"
-#include "methods/advancing-front/guidance.h"
-#include "methods/advancing-front/seeds.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/methods/advancing-front/advance.h"
+#include "isobench/methods/advancing-front/failsafe.h"
+#include "isobench/methods/advancing-front/guidance.h"
+#include "isobench/methods/advancing-front/seeds.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench {
 namespace {

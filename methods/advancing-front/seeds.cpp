@@ -1,4 +1,4 @@
-#include "methods/advancing-front/seeds.h"
+#include "isobench/methods/advancing-front/seeds.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "methods/advancing-front/fences.h"
-#include "methods/particles/random.h"
-#include "methods/sizing/point_tree.h"
+#include "isobench/methods/advancing-front/fences.h"
+#include "isobench/methods/particles/sampling/random.h"
+#include "isobench/methods/sizing/medial_axis/point_tree.h"
 
 namespace isobench::advancing_front {
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "methods/advancing-front/apex.h"
-#include "methods/triangle_mesh.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/methods/advancing-front/apex.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
 
 namespace isobench::advancing_front {
 

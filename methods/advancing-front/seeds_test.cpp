@@ -1,4 +1,4 @@
-#include "methods/advancing-front/seeds.h"
+#include "isobench/methods/advancing-front/seeds.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "datasets/phantoms.h"
-#include "methods/advancing-front/fences.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/advancing-front/fences.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench::advancing_front {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods/advancing-front/spatial_hash.h"
+#include "isobench/methods/advancing-front/spatial_hash.h"
 
 #include <algorithm>
 #include <cmath>

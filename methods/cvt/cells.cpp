@@ -1,4 +1,4 @@
-#include "methods/cvt/cells.h"
+#include "isobench/methods/cvt/cells.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "methods/triangle_mesh.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
 
 namespace isobench::cvt {
 

@@ -1,12 +1,12 @@
-#include "methods/cvt/cells.h"
+#include "isobench/methods/cvt/cells.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "methods/cvt/delaunay_mesh.h"
-#include "methods/particles/random.h"
+#include "isobench/methods/cvt/delaunay_mesh.h"
+#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::cvt {
 namespace {

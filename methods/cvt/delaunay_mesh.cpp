@@ -1,4 +1,4 @@
-#include "methods/cvt/delaunay_mesh.h"
+#include "isobench/methods/cvt/delaunay_mesh.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "methods/triangle_mesh.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
 
 namespace isobench::cvt {
 

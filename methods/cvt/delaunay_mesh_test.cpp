@@ -1,4 +1,4 @@
-#include "methods/cvt/delaunay_mesh.h"
+#include "isobench/methods/cvt/delaunay_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "methods/mesh_facts.h"
-#include "methods/particles/random.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::cvt {
 namespace {

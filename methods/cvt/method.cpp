@@ -1,14 +1,14 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <cmath>
 #include <limits>
 
-#include "methods/cvt/optimise.h"
-#include "methods/labelled_delaunay.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/particles/cure.h"
-#include "methods/particles/local_relaxation.h"
-#include "methods/particles/seeds.h"
+#include "isobench/methods/closing/labelled_delaunay.h"
+#include "isobench/methods/cvt/optimise.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/particles/cure/cure.h"
+#include "isobench/methods/particles/cure/local_relaxation.h"
+#include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench {
 namespace {

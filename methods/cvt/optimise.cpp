@@ -1,4 +1,4 @@
-#include "methods/cvt/optimise.h"
+#include "isobench/methods/cvt/optimise.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -9,7 +9,7 @@
 #include <deque>
 #include <utility>
 
-#include "methods/cvt/cells.h"
+#include "isobench/methods/cvt/cells.h"
 
 namespace isobench::cvt {
 

@@ -2,11 +2,11 @@
 // Gunzburger 1999), which is where the energy Σ ∫ρ|x − p|² is least or stationary.
 #pragma once
 
-#include "datasets/isosurface.h"
-#include "datasets/monitor.h"
-#include "methods/cvt/delaunay_mesh.h"
-#include "methods/particles/relaxation.h"
-#include "methods/particles/seeds.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/cvt/delaunay_mesh.h"
+#include "isobench/methods/particles/sampling/relaxation.h"
+#include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench::cvt {
 

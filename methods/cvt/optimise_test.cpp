@@ -1,4 +1,4 @@
-#include "methods/cvt/optimise.h"
+#include "isobench/methods/cvt/optimise.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <limits>
 #include <optional>
 
-#include "datasets/error.h"
-#include "datasets/phantoms.h"
-#include "methods/cvt/cells.h"
-#include "methods/labelled_delaunay.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/error.h"
+#include "isobench/methods/closing/labelled_delaunay.h"
+#include "isobench/methods/cvt/cells.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench::cvt {
 namespace {

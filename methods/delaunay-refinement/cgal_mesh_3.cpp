@@ -1,4 +1,4 @@
-#include "methods/delaunay-refinement/cgal_mesh_3.h"
+#include "isobench/methods/delaunay-refinement/cgal_mesh_3.h"
 
 namespace isobench::delaunay_refinement {
 

@@ -10,7 +10,7 @@
 #include <boost/optional.hpp>
 #include <tuple>
 
-#include "methods/delaunay-refinement/cgal_oracle.h"
+#include "isobench/methods/delaunay-refinement/cgal_oracle.h"
 
 namespace isobench::delaunay_refinement {
 

@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "methods/delaunay-refinement/crossing.h"
-#include "methods/delaunay-refinement/refinement.h"
+#include "isobench/methods/delaunay-refinement/crossing.h"
+#include "isobench/methods/delaunay-refinement/refinement.h"
 
 namespace isobench::delaunay_refinement {
 

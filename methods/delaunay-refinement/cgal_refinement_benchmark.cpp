@@ -12,8 +12,8 @@
 #include <ctime>
 #include <string>
 
-#include "datasets/catalogue.h"
-#include "methods/method.h"
+#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

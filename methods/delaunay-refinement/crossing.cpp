@@ -1,4 +1,4 @@
-#include "methods/delaunay-refinement/crossing.h"
+#include "isobench/methods/delaunay-refinement/crossing.h"
 
 #include <algorithm>
 #include <cmath>

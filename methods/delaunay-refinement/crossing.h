@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "datasets/isosurface.h"
+#include "isobench/datasets/isosurface.h"
 
 namespace isobench::delaunay_refinement {
 

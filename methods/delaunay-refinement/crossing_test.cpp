@@ -1,5 +1,5 @@
 // Crossings of segments with surfaces whose place is known.
-#include "methods/delaunay-refinement/crossing.h"
+#include "isobench/methods/delaunay-refinement/crossing.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "datasets/phantoms.h"
-#include "methods/delaunay-refinement/seeds.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/delaunay-refinement/seeds.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench::delaunay_refinement {
 namespace {

@@ -1,10 +1,10 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <cmath>
 
-#include "methods/delaunay-refinement/refinement.h"
-#include "methods/delaunay-refinement/seeds.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/methods/delaunay-refinement/refinement.h"
+#include "isobench/methods/delaunay-refinement/seeds.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench {
 namespace delaunay_refinement {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "datasets/monitor.h"
-#include "methods/sizing/sizing_field.h"
-#include "methods/triangle_mesh.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
+#include "isobench/methods/sizing/sizing_field.h"
 
 namespace isobench::delaunay_refinement {
 

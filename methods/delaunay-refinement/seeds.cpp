@@ -1,10 +1,10 @@
-#include "methods/delaunay-refinement/seeds.h"
+#include "isobench/methods/delaunay-refinement/seeds.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 
-#include "methods/particles/random.h"
+#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::delaunay_refinement {
 

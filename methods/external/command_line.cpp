@@ -1,12 +1,12 @@
-#include "methods/external/command_line.h"
+#include "isobench/methods/external/command_line.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
 
-#include "datasets/error.h"
-#include "methods/mesh_text.h"
+#include "isobench/foundation/error.h"
+#include "isobench/methods/mesh_files/mesh_text.h"
 
 namespace isobench::external {
 

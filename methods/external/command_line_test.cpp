@@ -1,8 +1,8 @@
-#include "methods/external/command_line.h"
+#include "isobench/methods/external/command_line.h"
 
 #include <gtest/gtest.h>
 
-#include "datasets/error.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench::external {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "methods/external/command_line.h"
-#include "methods/method.h"
+#include "isobench/methods/external/command_line.h"
+#include "isobench/methods/method.h"
 
 namespace isobench::external {
 

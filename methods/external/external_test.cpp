@@ -3,13 +3,13 @@
 
 #include <sstream>
 
-#include "datasets/phantoms.h"
-#include "datasets/test_folder.h"
-#include "methods/external/exchange.h"
-#include "methods/external/program.h"
-#include "methods/mesh_facts.h"
-#include "methods/mesh_files.h"
-#include "methods/method.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/testing/test_folder.h"
+#include "isobench/methods/external/exchange.h"
+#include "isobench/methods/external/program.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <memory>
 
-#include "datasets/write_volume.h"
-#include "methods/external/exchange.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/mesh_files.h"
+#include "isobench/datasets/formats/write_volume.h"
+#include "isobench/methods/external/exchange.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
 
 namespace isobench::external {
 

@@ -1,4 +1,4 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <fstream>
 
-#include "datasets/names.h"
-#include "datasets/processes.h"
-#include "methods/external/command_line.h"
-#include "methods/external/exchange.h"
-#include "methods/external/program.h"
+#include "isobench/foundation/names.h"
+#include "isobench/foundation/processes.h"
+#include "isobench/methods/external/command_line.h"
+#include "isobench/methods/external/exchange.h"
+#include "isobench/methods/external/program.h"
 
 namespace isobench {
 namespace external {

@@ -1,4 +1,4 @@
-#include "methods/external/points_file.h"
+#include "isobench/methods/external/points_file.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <sstream>
 #include <string>
 
-#include "datasets/readers.h"
-#include "datasets/sample_data.h"
-#include "methods/mesh_formats.h"
-#include "methods/mesh_text.h"
+#include "isobench/datasets/formats/readers.h"
+#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/methods/mesh_files/mesh_formats.h"
+#include "isobench/methods/mesh_files/mesh_text.h"
 
 namespace isobench::external {
 

@@ -1,10 +1,10 @@
-#include "methods/external/points_file.h"
+#include "isobench/methods/external/points_file.h"
 
 #include <gtest/gtest.h>
 
-#include "datasets/error.h"
-#include "datasets/test_files.h"
-#include "datasets/test_folder.h"
+#include "isobench/foundation/error.h"
+#include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench::external {
 namespace {

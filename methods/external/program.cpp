@@ -1,4 +1,4 @@
-#include "methods/external/program.h"
+#include "isobench/methods/external/program.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -18,8 +18,8 @@
 #include <optional>
 #include <sstream>
 
-#include "datasets/error.h"
-#include "datasets/processes.h"
+#include "isobench/foundation/error.h"
+#include "isobench/foundation/processes.h"
 
 namespace isobench::external {
 

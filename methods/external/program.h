@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/monitor.h"
+#include "isobench/foundation/monitor.h"
 
 namespace isobench::external {
 

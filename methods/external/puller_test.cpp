@@ -4,11 +4,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "datasets/phantoms.h"
-#include "datasets/toml.h"
-#include "methods/external/program.h"
-#include "methods/mesh_facts.h"
-#include "methods/method.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/toml.h"
+#include "isobench/methods/external/program.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

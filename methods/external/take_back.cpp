@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 
-#include "methods/external/exchange.h"
-#include "methods/external/points_file.h"
-#include "methods/labelled_delaunay.h"
-#include "methods/mesh_files.h"
+#include "isobench/methods/closing/labelled_delaunay.h"
+#include "isobench/methods/external/exchange.h"
+#include "isobench/methods/external/points_file.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
 
 namespace isobench::external {
 

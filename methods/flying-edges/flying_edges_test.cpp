@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "datasets/phantoms.h"
-#include "methods/mesh_facts.h"
-#include "methods/method.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

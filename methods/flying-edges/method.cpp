@@ -1,5 +1,5 @@
 // VTK's flying edges: marching cubes of the samples themselves, linear along lattice edges, as most people mesh.
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <tbb/parallel_for.h>
 #include <vtkCellArray.h>

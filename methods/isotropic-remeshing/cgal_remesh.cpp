@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "methods/isotropic-remeshing/remesh.h"
+#include "isobench/methods/isotropic-remeshing/remesh.h"
 
 namespace isobench::isotropic_remeshing {
 

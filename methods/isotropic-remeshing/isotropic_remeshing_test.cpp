@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "datasets/phantoms.h"
-#include "methods/isotropic-remeshing/remesh.h"
-#include "methods/mesh_facts.h"
-#include "methods/method.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/isotropic-remeshing/remesh.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/method.h"
 
 namespace isobench {
 namespace {

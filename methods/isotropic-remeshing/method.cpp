@@ -1,9 +1,9 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 #include <cmath>
 
-#include "methods/isotropic-remeshing/remesh.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/methods/isotropic-remeshing/remesh.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench {
 namespace isotropic_remeshing {

@@ -1,7 +1,7 @@
 // CGAL's isotropic remeshing, behind an interface that needs none of its headers.
 #pragma once
 
-#include "methods/triangle_mesh.h"
+#include "isobench/methods/mesh/triangle_mesh.h"
 
 namespace isobench::isotropic_remeshing {
 

@@ -1,6 +1,6 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench {
 namespace {

@@ -2,9 +2,9 @@
 // than what is printed, and says so: the medial axis, of which the paper itself says that the sampling can be no better
 // than it, is sought near the surface from finer nodes than the lattice's, and its ends are not left out. With
 // axis_ends = "left-out" and axis_halvings = 0 it is as printed.
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
-#include "methods/particles/pipeline.h"
+#include "isobench/methods/particles/pipeline.h"
 
 namespace isobench {
 

@@ -1,6 +1,6 @@
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
-#include "methods/particles/pipeline.h"
+#include "isobench/methods/particles/pipeline.h"
 
 namespace isobench {
 

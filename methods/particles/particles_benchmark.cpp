@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "datasets/phantoms.h"
-#include "methods/labelled_delaunay.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/particles/finish.h"
-#include "methods/particles/relaxation.h"
-#include "methods/particles/seeds.h"
-#include "methods/particles/shape_energy.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/closing/labelled_delaunay.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/particles/finish/finish.h"
+#include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/particles/sampling/relaxation.h"
+#include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench::particles {
 namespace {

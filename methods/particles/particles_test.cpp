@@ -6,15 +6,15 @@
 #include <numeric>
 #include <string>
 
-#include "datasets/phantoms.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/mesh_checksum.h"
-#include "methods/mesh_facts.h"
-#include "methods/method.h"
-#include "methods/particles/energy.h"
-#include "methods/particles/population.h"
-#include "methods/particles/relaxation.h"
-#include "methods/particles/seeds.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/mesh/mesh_checksum.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/method.h"
+#include "isobench/methods/particles/sampling/energy.h"
+#include "isobench/methods/particles/sampling/population.h"
+#include "isobench/methods/particles/sampling/relaxation.h"
+#include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench {
 namespace {

@@ -1,23 +1,23 @@
-#include "methods/particles/pipeline.h"
+#include "isobench/methods/particles/pipeline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "datasets/error.h"
-#include "methods/labelled_delaunay.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/particles/biased_population.h"
-#include "methods/particles/cure.h"
-#include "methods/particles/fine_places.h"
-#include "methods/particles/finish.h"
-#include "methods/particles/gauss_seidel.h"
-#include "methods/particles/population.h"
-#include "methods/particles/relaxation.h"
-#include "methods/particles/seeds.h"
-#include "methods/sizing/critical_points.h"
-#include "methods/sizing/limit.h"
-#include "methods/tight_cocone/tight_cocone.h"
+#include "isobench/foundation/error.h"
+#include "isobench/methods/closing/labelled_delaunay.h"
+#include "isobench/methods/closing/tight_cocone.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/particles/cure/cure.h"
+#include "isobench/methods/particles/finish/finish.h"
+#include "isobench/methods/particles/sampling/biased_population.h"
+#include "isobench/methods/particles/sampling/fine_places.h"
+#include "isobench/methods/particles/sampling/gauss_seidel.h"
+#include "isobench/methods/particles/sampling/population.h"
+#include "isobench/methods/particles/sampling/relaxation.h"
+#include "isobench/methods/particles/sampling/seeds.h"
+#include "isobench/methods/sizing/critical_points/critical_points.h"
+#include "isobench/methods/sizing/limit.h"
 
 namespace isobench::particles {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "methods/method.h"
+#include "isobench/methods/method.h"
 
 namespace isobench::particles {
 

@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "methods/particles/pipeline.h"
+#include "isobench/methods/particles/pipeline.h"
 
 namespace isobench::particles {
 

@@ -1,4 +1,4 @@
-#include "methods/particles/pipeline.h"
+#include "isobench/methods/particles/pipeline.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <map>
 
-#include "datasets/phantoms.h"
-#include "methods/mesh_checksum.h"
-#include "methods/mesh_facts.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/mesh/mesh_checksum.h"
+#include "isobench/methods/mesh/mesh_facts.h"
 
 namespace isobench {
 namespace {

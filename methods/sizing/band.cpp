@@ -1,4 +1,4 @@
-#include "methods/sizing/band.h"
+#include "isobench/methods/sizing/band.h"
 
 #include <algorithm>
 #include <bit>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "datasets/isosurface.h"
+#include "isobench/datasets/isosurface.h"
 
 namespace isobench {
 

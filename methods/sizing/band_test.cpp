@@ -1,4 +1,4 @@
-#include "methods/sizing/band.h"
+#include "isobench/methods/sizing/band.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "datasets/phantoms.h"
+#include "isobench/datasets/phantoms/phantoms.h"
 
 namespace isobench {
 namespace {

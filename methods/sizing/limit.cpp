@@ -1,4 +1,4 @@
-#include "methods/sizing/limit.h"
+#include "isobench/methods/sizing/limit.h"
 
 #include <tbb/parallel_for.h>
 

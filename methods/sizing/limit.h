@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "datasets/monitor.h"
-#include "methods/sizing/band.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/sizing/band.h"
 
 namespace isobench {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "methods/sizing/limit.h"
+#include "isobench/methods/sizing/limit.h"
 
 namespace isobench {
 

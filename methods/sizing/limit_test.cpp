@@ -1,4 +1,4 @@
-#include "methods/sizing/limit.h"
+#include "isobench/methods/sizing/limit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/phantoms.h"
+#include "isobench/datasets/phantoms/phantoms.h"
 
 namespace isobench {
 namespace {

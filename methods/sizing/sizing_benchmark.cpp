@@ -2,11 +2,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "datasets/phantoms.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/sizing/limit.h"
-#include "methods/sizing/shrinking_balls.h"
-#include "methods/sizing/sizing_field.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/sizing/limit.h"
+#include "isobench/methods/sizing/medial_axis/shrinking_balls.h"
+#include "isobench/methods/sizing/sizing_field.h"
 
 namespace isobench {
 namespace {

@@ -1,4 +1,4 @@
-#include "methods/sizing/sizing_field.h"
+#include "isobench/methods/sizing/sizing_field.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/error.h"
-#include "methods/marching-cubes/marching_cubes.h"
-#include "methods/sizing/axis_difference.h"
-#include "methods/sizing/axis_ends.h"
-#include "methods/sizing/foot_points.h"
-#include "methods/sizing/limit.h"
-#include "methods/sizing/point_tree.h"
-#include "methods/sizing/shrinking_balls.h"
+#include "isobench/foundation/error.h"
+#include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/sizing/limit.h"
+#include "isobench/methods/sizing/medial_axis/axis_difference.h"
+#include "isobench/methods/sizing/medial_axis/axis_ends.h"
+#include "isobench/methods/sizing/medial_axis/foot_points.h"
+#include "isobench/methods/sizing/medial_axis/point_tree.h"
+#include "isobench/methods/sizing/medial_axis/shrinking_balls.h"
 
 namespace isobench {
 

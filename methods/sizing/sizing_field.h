@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "datasets/isosurface.h"
-#include "datasets/monitor.h"
-#include "methods/sizing/band.h"
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/sizing/band.h"
 
 namespace isobench {
 

@@ -1,12 +1,12 @@
-#include "methods/sizing/sizing_field.h"
+#include "isobench/methods/sizing/sizing_field.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/phantoms.h"
-#include "methods/marching-cubes/marching_cubes.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/lattice/marching_cubes.h"
 
 namespace isobench {
 namespace {

@@ -1,0 +1,89 @@
+// The readers of volumes, by file as they are called.
+#include <algorithm>
+#include <cmath>
+
+#include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/preparation/prepare.h"
+#include "isobench/foundation/testing/fuzz_target.h"
+
+namespace isobench {
+
+namespace {
+
+/// What every volume that was read fulfils; above all, nothing comes out that was not in the file.
+void check_volume(const Volume& volume, std::size_t file_bytes) {
+  const Lattice& lattice = volume.lattice;
+  require(*std::min_element(lattice.size.begin(), lattice.size.end()) >= 1, "a volume has nodes");
+  require(volume.samples.size() == lattice.nodes(), "a volume has one sample a node");
+  require(volume.samples.size() <= 1032 * file_bytes, "a file has no more samples than bytes, but for compression");
+  require((lattice.spacing.array() > 0.0).all() && lattice.spacing.allFinite(), "spacings are positive");
+  require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
+  sample_range(volume);  // throws where a sample is not finite
+}
+
+bool read(const std::string& name, std::string_view bytes) {
+  return accepts([&] {
+    check_volume(read_volume(fuzz_file(name, bytes)), bytes.size());
+    return true;
+  });
+}
+
+bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+/// Data for the headers that name a file of their own beside them.
+void write_data_files() {
+  static const bool once = [] {
+    fuzz_file("data.raw", std::string(64, '\x07'));
+    std::string numbers = "a line\n; ";
+    for (int n = 0; n < 64; ++n) numbers += std::to_string(n) + " ";
+    fuzz_file("data.txt", numbers);
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
+}  // namespace
+
+bool fuzz_nrrd(std::string_view bytes) {
+  write_data_files();
+  return read("volume.nrrd", bytes);
+}
+
+bool fuzz_metaimage(std::string_view bytes) {
+  write_data_files();
+  return read("volume.mha", bytes);
+}
+
+bool fuzz_inrimage(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.inr.gz" : "volume.inr", bytes); }
+
+bool fuzz_nifti(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.nii.gz" : "volume.nii", bytes); }
+
+bool fuzz_vti(std::string_view bytes) { return read("volume.vti", bytes); }
+
+/// Size, type, byte order and the number of files stand in front: one byte each, but two for each size.
+bool fuzz_raw(std::string_view bytes) {
+  constexpr std::size_t header = 9;
+  if (bytes.size() < header) return false;
+  const auto at = [&](std::size_t n) { return static_cast<int>(static_cast<unsigned char>(bytes[n])); };
+  RawLayout layout;
+  // The upper byte goes into the upper bits: small sizes, hostile ones and negative ones are all near.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    layout.size[axis] = at(2 * axis) | static_cast<int>(static_cast<unsigned>(at(2 * axis + 1)) << 24U);
+  }
+  layout.type = static_cast<SampleType>(at(6) % 8);
+  layout.order = at(7) % 2 == 0 ? ByteOrder::little : ByteOrder::big;
+  const int count = at(8) % 4;
+  const std::string_view data = bytes.substr(header);
+  std::vector<std::filesystem::path> files;
+  for (int n = 0; n < count; ++n) {
+    const std::size_t each = data.size() / static_cast<std::size_t>(count);
+    const std::size_t begin = each * static_cast<std::size_t>(n);
+    files.push_back(fuzz_file("slice" + std::to_string(n), data.substr(begin, n + 1 < count ? each : data.npos)));
+  }
+  return accepts([&] {
+    check_volume(read_raw(files, layout), bytes.size());
+    return true;
+  });
+}
+
+}  // namespace isobench

@@ -1,0 +1,221 @@
+#include "isobench/datasets/formats/vtk_xml.h"
+
+#include <expat.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <utility>
+
+#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/vtk_blocks.h"
+#include "isobench/foundation/error.h"
+
+namespace isobench {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+constexpr std::size_t deepest = 32;  // real files have 6 levels
+
+/// Builds the elements as expat comes across them.
+struct Builder {
+  XML_Parser parser;
+  VtkElement root;  // holds the document's element
+  std::vector<VtkElement*> open{&root};
+
+  static void start(void* data, const char* name, const char** attributes) {
+    auto& self = *static_cast<Builder*>(data);
+    if (self.open.size() > deepest) {
+      XML_StopParser(self.parser, XML_FALSE);
+      return;
+    }
+    // While a child is open its parent gets no other: the pointers hold.
+    VtkElement& element = self.open.back()->children.emplace_back();
+    element.name = name;
+    for (const char** a = attributes; a[0] != nullptr; a += 2) element.attributes[a[0]] = a[1];
+    self.open.push_back(&element);
+  }
+  static void end(void* data, const char*) { static_cast<Builder*>(data)->open.pop_back(); }
+  static void text(void* data, const char* characters, int length) {
+    static_cast<Builder*>(data)->open.back()->text.append(characters, static_cast<std::size_t>(length));
+  }
+  // No such file declares entities; who does means harm.
+  static void doctype(void* data, const char*, const char*, const char*, int) {
+    XML_StopParser(static_cast<Builder*>(data)->parser, XML_FALSE);
+  }
+};
+
+/// std::nullopt where it is no XML.
+std::optional<VtkElement> parse_xml(std::string_view xml, std::string_view tail) {
+  const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr),
+                                                                                             XML_ParserFree);
+  if (!parser) throw std::bad_alloc();
+  Builder builder{parser.get(), {}};
+  XML_SetUserData(parser.get(), &builder);
+  XML_SetElementHandler(parser.get(), Builder::start, Builder::end);
+  XML_SetCharacterDataHandler(parser.get(), Builder::text);
+  XML_SetStartDoctypeDeclHandler(parser.get(), Builder::doctype);
+  constexpr std::size_t piece = std::size_t{1} << 20U;  // expat counts in int
+  while (!xml.empty()) {
+    const std::string_view part = xml.substr(0, piece);
+    xml.remove_prefix(part.size());
+    const bool last = xml.empty() && tail.empty();
+    if (XML_Parse(parser.get(), part.data(), static_cast<int>(part.size()), last ? 1 : 0) != XML_STATUS_OK) return {};
+  }
+  if (!tail.empty() && XML_Parse(parser.get(), tail.data(), static_cast<int>(tail.size()), 1) != XML_STATUS_OK)
+    return {};
+  if (builder.root.children.empty()) return {};
+  return std::move(builder.root.children.front());
+}
+
+std::string whole_file(const std::filesystem::path& path) {
+  ByteReader reader(path, Encoding::plain);
+  std::string bytes(reader.possible_bytes(), '\0');
+  bytes.resize(reader.read(bytes.data(), bytes.size()));
+  return bytes;
+}
+
+std::optional<SampleType> type_of(const VtkElement& array) {
+  static const std::map<std::string, SampleType> types = {{"Int8", SampleType::i8},     {"UInt8", SampleType::u8},
+                                                          {"Int16", SampleType::i16},   {"UInt16", SampleType::u16},
+                                                          {"Int32", SampleType::i32},   {"UInt32", SampleType::u32},
+                                                          {"Int64", SampleType::i64},   {"UInt64", SampleType::u64},
+                                                          {"Float32", SampleType::f32}, {"Float64", SampleType::f64}};
+  const auto found = types.find(array.attribute("type"));
+  return found == types.end() ? std::nullopt : std::optional(found->second);
+}
+
+template <class Number>
+std::optional<std::vector<Number>> numbers_of_text(std::string_view text, std::size_t count) {
+  if (text.size() / 2 + 1 < count) return {};  // a digit and a blank each
+  std::vector<Number> numbers;
+  numbers.reserve(count);
+  for (std::size_t at = text.find_first_not_of(blanks); at != text.npos; at = text.find_first_not_of(blanks, at)) {
+    const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+    double value = 0.0;
+    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + end, value);
+    // What is too large or too small for a double is not a damaged file yet; too large is refused as not finite.
+    const bool number = (error == std::errc() || error == std::errc::result_out_of_range) && rest == text.data() + end;
+    if (!number || numbers.size() == count) return {};
+    numbers.push_back(static_cast<Number>(value));
+    at = end;
+  }
+  return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
+}
+
+}  // namespace
+
+std::string VtkElement::attribute(const std::string& key, const std::string& otherwise) const {
+  const auto found = attributes.find(key);
+  return found == attributes.end() ? otherwise : found->second;
+}
+
+const VtkElement* VtkElement::child(const std::string& child_name) const {
+  const auto found = std::find_if(children.begin(), children.end(),
+                                  [&](const VtkElement& element) { return element.name == child_name; });
+  return found == children.end() ? nullptr : &*found;
+}
+
+void VtkXmlFile::fail(const std::string& message) const { throw DataError(path_.string() + ": " + message); }
+
+/// Raw appended data are no XML: they are cut off before the rest is parsed.
+void VtkXmlFile::find_appended(std::string_view& xml) {
+  const std::size_t tag = xml.find("<AppendedData");
+  if (tag == xml.npos) return;
+  const std::size_t end = xml.find('>', tag);
+  const std::size_t mark = end == xml.npos ? end : xml.find_first_not_of(blanks, end + 1);
+  if (mark == xml.npos || xml[mark] != '_') fail("truncated or damaged: its appended data do not begin with '_'");
+  appended_ = xml.substr(mark + 1);
+  xml = xml.substr(0, end + 1);
+}
+
+VtkXmlFile::VtkXmlFile(std::filesystem::path path, const std::string& type)
+    : path_(std::move(path)), bytes_(whole_file(path_)) {
+  std::string_view xml = bytes_;
+  if (xml.substr(0, 4096).find("<VTKFile") == xml.npos) {
+    fail("not a VTK XML file; give it the ending of its own format");
+  }
+  find_appended(xml);
+  std::optional<VtkElement> root = parse_xml(xml, appended_.data() != nullptr ? "</AppendedData></VTKFile>" : "");
+  if (!root) fail("truncated or damaged: it is no whole XML; copy or export it again");
+  root_ = std::move(*root);
+  data_ = root_.child(type);
+  if (root_.name != "VTKFile" || data_ == nullptr) {
+    fail(fmt::format("it holds '{}' where {} is expected; give a file of that kind", root_.attribute("type"), type));
+  }
+  const VtkElement* appended = root_.child("AppendedData");
+  appended_base64_ = appended != nullptr && appended->attribute("encoding") == "base64";
+}
+
+std::size_t VtkXmlFile::count(const VtkElement& element, const std::string& attribute) const {
+  const std::string text = element.attribute(attribute, "0");
+  std::size_t value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || rest != text.data() + text.size() || value > std::size_t{1} << 40U) {
+    fail(fmt::format("its {} '{}' is not a possible number; copy or export it again", attribute, text));
+  }
+  return value;
+}
+
+bool VtkXmlFile::is_numeric(const VtkElement& array) { return type_of(array).has_value(); }
+
+std::string VtkXmlFile::bytes_of_array(const VtkElement& array, std::size_t bytes) const {
+  VtkBlocks blocks;
+  std::string inline_text;
+  if (array.attribute("format") == "appended") {
+    const std::size_t offset = count(array, "offset");
+    if (offset >= appended_.size()) fail("truncated: an array begins beyond the file's end; copy or export it again");
+    blocks.source = appended_.substr(offset);
+    blocks.base64 = appended_base64_;
+  } else {
+    inline_text = array.text;
+    std::erase_if(inline_text, [](char c) { return blanks.find(c) != blanks.npos; });
+    blocks.source = inline_text;
+    blocks.base64 = true;
+  }
+  blocks.wide_header = root_.attribute("header_type", "UInt32") == "UInt64";
+  blocks.order = root_.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little;
+  const std::string compressor = root_.attribute("compressor");
+  if (compressor == "vtkZLibDataCompressor")
+    blocks.compressor = VtkCompressor::zlib;
+  else if (compressor == "vtkLZ4DataCompressor")
+    blocks.compressor = VtkCompressor::lz4;
+  else if (compressor == "vtkLZMADataCompressor")
+    blocks.compressor = VtkCompressor::lzma;
+  else if (!compressor.empty())
+    fail(fmt::format("its compressor '{}' is not known; export it with zlib", compressor));
+  std::optional<std::string> data = decoded(blocks, bytes);
+  if (!data) {
+    fail(
+        fmt::format("truncated or damaged: its array '{}' does not hold the {} bytes that it should; copy or export "
+                    "it again",
+                    array.attribute("Name"), bytes));
+  }
+  return std::move(*data);
+}
+
+template <class Number>
+std::vector<Number> VtkXmlFile::numbers(const VtkElement& array, std::size_t count) const {
+  const std::optional<SampleType> type = type_of(array);
+  if (!type) fail(fmt::format("its array '{}' is not of numbers", array.attribute("Name")));
+  if (count == 0) return {};
+  if (array.attribute("format", "ascii") == "ascii") {
+    std::optional<std::vector<Number>> numbers = numbers_of_text<Number>(array.text, count);
+    if (!numbers) {
+      fail(fmt::format("truncated or damaged: its array '{}' is not of {} numbers; copy or export it again",
+                       array.attribute("Name"), count));
+    }
+    return std::move(*numbers);
+  }
+  const std::string bytes = bytes_of_array(array, count * bytes_of(*type));
+  std::vector<Number> numbers(count);
+  const bool big = root_.attribute("byte_order") == "BigEndian";
+  convert_samples(bytes.data(), count, *type, big ? ByteOrder::big : ByteOrder::little, numbers.data());
+  return numbers;
+}
+template std::vector<float> VtkXmlFile::numbers(const VtkElement&, std::size_t) const;
+template std::vector<double> VtkXmlFile::numbers(const VtkElement&, std::size_t) const;
+
+}  // namespace isobench

@@ -1,0 +1,265 @@
+#include "isobench/datasets/manifests/catalogue.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "isobench/datasets/manifests/manifest.h"
+#include "isobench/foundation/sha256.h"
+#include "isobench/foundation/testing/test_files.h"
+
+namespace isobench {
+namespace {
+
+/// A ball of radius 4 voxels in 16³, value falling by 1 a voxel, 10 at the radius; NRRD with a spacing of 2 mm.
+std::string ball_nrrd(double centre = 7.5) {
+  std::vector<float> samples;
+  for (int k = 0; k < 16; ++k) {
+    for (int j = 0; j < 16; ++j) {
+      for (int i = 0; i < 16; ++i) {
+        const double radius = std::hypot(i - centre, j - 7.5, k - 7.5);
+        samples.push_back(static_cast<float>(14.0 - radius));
+      }
+    }
+  }
+  return "NRRD0001\ntype: float\ndimension: 3\nsizes: 16 16 16\nspacings: 2 2 2\nendian: little\nencoding: raw\n\n" +
+         bytes_of_samples<float>(samples);
+}
+
+/// A folder with a catalogue of one dataset, "ball", whose data may lie in data/, cache/ or published/.
+class CatalogueOfOne : public testing::Test {
+ protected:
+  void write_manifest(const std::string& address, const std::string& sha256) {
+    const std::string from = address.empty() ? "" : "address = \"" + address + "\"\n";
+    folder.write(
+        "catalogue/ball.toml",
+        fmt::format("title = \"Ball\"\nisovalue = 10\nprepare = [ {{ step = \"gaussian\", sigma = 0.5 }} ]\n[data]\n{}"
+                    "files = [ {{ name = \"ball.nrrd\", sha256 = \"{}\" }} ]\n",
+                    from, sha256));
+  }
+  std::string message_of_load(const std::string& name = "ball") {
+    try {
+      Monitor monitor;
+      load_dataset(name, monitor, {"config.toml", 7, 3});
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      return error.what();
+    }
+    return "no error";
+  }
+  Dataset load() {
+    Monitor monitor;
+    return load_dataset("ball", monitor);
+  }
+
+  TestFolder folder;
+  std::string ball = ball_nrrd();
+  std::string sum = sha256_of_text(ball);
+  std::string published = "file://" + (folder.path() / "published").string() + "/";
+  TestVariable catalogue{"ISOBENCH_CATALOGUE", (folder.path() / "catalogue").string()};
+  TestVariable cache{"ISOBENCH_CACHE", (folder.path() / "cache").string()};
+  TestVariable data{"ISOBENCH_DATA", ""};
+};
+
+TEST_F(CatalogueOfOne, FetchesOnceThenTakesTheCache) {
+  folder.write("published/ball.nrrd", ball);
+  write_manifest(published, sum);
+  const Dataset fetched = load();
+  EXPECT_NE(fetched.source.find("fetched from " + published), std::string::npos) << fetched.source;
+  EXPECT_EQ(fetched.title, "Ball");
+  EXPECT_EQ(fetched.preparation.size(), 1U);
+  std::filesystem::remove(folder.path() / "published/ball.nrrd");
+  const Dataset cached = load();
+  EXPECT_TRUE(cached.source.starts_with("the cache")) << cached.source;
+  EXPECT_EQ(cached.source.find("fetched"), std::string::npos);
+  EXPECT_EQ(cached.checksum, fetched.checksum);
+  EXPECT_EQ(cached.checksum, dataset_checksum("ball"));
+  Monitor monitor;
+  EXPECT_EQ(fetch_dataset("ball", monitor), std::vector{folder.path() / "cache/ball/ball.nrrd"});
+  // Nothing half-fetched is left beside it.
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "cache/ball"), {}), 1);
+}
+
+TEST_F(CatalogueOfOne, IsobenchDataComesBeforeTheCache) {
+  write_manifest(published, sum);
+  folder.write("cache/ball/ball.nrrd", ball);
+  folder.write("data/ball/ball.nrrd", ball);
+  const TestVariable variable("ISOBENCH_DATA", (folder.path() / "data").string());
+  EXPECT_TRUE(load().source.starts_with("ISOBENCH_DATA")) << load().source;
+  std::filesystem::remove(folder.path() / "data/ball/ball.nrrd");
+  EXPECT_TRUE(load().source.starts_with("the cache"));
+}
+
+TEST_F(CatalogueOfOne, AWrongChecksumNamesFileSumsAndRemedy) {
+  write_manifest(published, sum);
+  const std::string other = ball + "x";
+  for (const char* place : {"published/ball.nrrd", "cache/ball/ball.nrrd", "data/ball/ball.nrrd"}) {
+    SCOPED_TRACE(place);
+    folder.write(place, other);
+    std::filesystem::create_directories(folder.path() / "data");
+    const TestVariable variable("ISOBENCH_DATA", (folder.path() / "data").string());
+    const std::string message = message_of_load();
+    EXPECT_NE(message.find("ball.nrrd"), std::string::npos) << message;
+    EXPECT_NE(message.find(sum), std::string::npos) << message;
+    EXPECT_NE(message.find(sha256_of_text(other)), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << message;
+  }
+  EXPECT_THROW(load(), DataError);
+}
+
+TEST_F(CatalogueOfOne, WithoutNetworkOneSentenceSaysIsobenchData) {
+  write_manifest("http://127.0.0.1:1/", sum);  // nobody listens there
+  const std::string message = message_of_load();
+  EXPECT_NE(message.find("set ISOBENCH_DATA to a folder that has ball/ball.nrrd"), std::string::npos) << message;
+  EXPECT_THROW(load(), DataError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "cache/ball"));
+  const TestVariable variable("ISOBENCH_DATA", (folder.path() / "nowhere").string());
+  EXPECT_NE(message_of_load().find("not a folder"), std::string::npos);
+}
+
+TEST_F(CatalogueOfOne, AnUnknownNameHasItsPlaceAndTheNearest) {
+  write_manifest(published, sum);
+  EXPECT_THROW(dataset_checksum("bal"), UsageError);
+  const std::string message = message_of_load("bal");
+  EXPECT_TRUE(message.starts_with("config.toml:7:3: ")) << message;
+  EXPECT_NE(message.find("did you mean 'ball'?"), std::string::npos) << message;
+}
+
+/// A program of this name, first in the PATH, that runs these shell commands.
+void write_program(const TestFolder& folder, const std::string& name, const std::string& commands) {
+  const auto path = folder.write("bin/" + name, "#!/bin/sh\n" + commands + "\n");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+}
+
+TEST_F(CatalogueOfOne, TakesFilesOutOfADebianPackage) {
+  folder.write("package/DEBIAN/control",
+               "Package: balls\nVersion: 1\nArchitecture: all\nMaintainer: nobody <n@example.org>\nDescription: x\n");
+  folder.write("package/usr/share/balls/images/ball.nrrd", ball);
+  const std::string root = folder.path().string();
+  ASSERT_EQ(
+      std::system(("cd " + root + "/package/usr/share/balls && tar -czf data.tar.gz images && rm -r images && cd " +
+                   root + " && dpkg-deb --build package balls_1_all.deb > /dev/null")
+                      .c_str()),
+      0);
+  // Stands in for the package archive.
+  write_program(folder, "apt-get", "test \"$1 $2\" = 'download balls' && cp " + root + "/balls_1_all.deb .");
+  const TestVariable path("PATH", root + "/bin:" + std::getenv("PATH"));
+  const auto write = [&](const std::string& member, const std::string& sha256) {
+    folder.write(
+        "catalogue/ball.toml",
+        fmt::format(
+            "title = \"Ball\"\nisovalue = 10\n[data]\npackage = \"balls\"\narchive = \"usr/share/balls/data.tar.gz\"\n"
+            "files = [ {{ name = \"ball.nrrd\", member = \"{}\", sha256 = \"{}\" }} ]\n",
+            member, sha256));
+  };
+  write("images/none.nrrd", sum);
+  EXPECT_NE(message_of_load().find("Debian package balls"), std::string::npos) << message_of_load();
+  write("images/ball.nrrd", std::string(64, '0'));
+  EXPECT_NE(message_of_load().find(sum), std::string::npos) << message_of_load();
+  write("images/ball.nrrd", sum);
+  EXPECT_NE(load().source.find("fetched from the Debian package balls"), std::string::npos);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "cache/ball"), {}), 1);
+  std::filesystem::remove(folder.path() / "cache/ball/ball.nrrd");
+  write_program(folder, "apt-get", "echo 'E: Unable to locate package balls' >&2; exit 100");
+  const std::string message = message_of_load();
+  EXPECT_NE(message.find("E: Unable to locate package balls"), std::string::npos) << message;
+  EXPECT_NE(message.find("ISOBENCH_DATA"), std::string::npos) << message;
+}
+
+TEST_F(CatalogueOfOne, AUsersOwnManifestHasItsDataBesideIt) {
+  folder.write("own/mine.toml",
+               "title = \"Mine\"\nisovalue = 10\n[data]\nfolder = \"scans\"\nfiles = [ { name = \"b.nrrd\" } ]\n");
+  folder.write("own/scans/b.nrrd", ball);
+  const std::string name = (folder.path() / "own/mine.toml").string();
+  Monitor monitor;
+  const Dataset dataset = load_dataset(name, monitor);
+  EXPECT_EQ(dataset.name, "mine");
+  EXPECT_EQ(dataset.checksum, dataset_checksum(name));
+  EXPECT_GT(dataset.surface->value({15.0, 15.0, 15.0}), 0.0);  // the middle is inside
+  folder.write("own/scans/b.nrrd", ball_nrrd(7.0));
+  EXPECT_NE(dataset_checksum(name), dataset.checksum);  // no sum is stated, so the content's counts
+  std::filesystem::remove(folder.path() / "own/scans/b.nrrd");
+  EXPECT_NE(message_of_load(name).find("b.nrrd: no such file"), std::string::npos) << message_of_load(name);
+  EXPECT_NE(message_of_load("none.toml").find("config.toml:7:3"), std::string::npos);
+}
+
+TEST(Catalogue, EveryManifestIsValidAndPinned) {
+  const TestVariable data("ISOBENCH_CATALOGUE", "");
+  const auto names = dataset_names();
+  for (const char* name : {"brain", "pelvis", "skull", "vessel", "skull-small", "brain-mni", "brain-mni-half"}) {
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  }
+  for (const Phantom& phantom : phantoms()) {
+    EXPECT_NE(std::find(names.begin(), names.end(), phantom.name), names.end()) << phantom.name;
+  }
+  for (const DatasetInfo& info : list_datasets()) {
+    SCOPED_TRACE(info.name);
+    EXPECT_FALSE(info.title.empty());
+    EXPECT_FALSE(info.source.empty());
+    if (!info.source.starts_with("phantom")) {
+      EXPECT_FALSE(info.licence.empty());
+    }
+    // Needs no data: a catalogued file states its sum.
+    EXPECT_EQ(dataset_checksum(info.name).size(), 64U);
+  }
+}
+
+TEST(Catalogue, PhantomsLoadWithTheirCentreInside) {
+  Monitor monitor;
+  const Dataset dataset = load_dataset("sphere", monitor);
+  EXPECT_EQ(dataset.source, "phantom");
+  EXPECT_EQ(dataset.checksum, dataset_checksum("sphere"));
+  EXPECT_GT(dataset.surface->value(dataset.surface->lattice().to_local(Eigen::Vector3d::Zero())), 0.0);
+  EXPECT_NE(dataset.checksum, dataset_checksum("torus"));
+}
+
+TEST(DatasetFromFile, TakesAnIsovalueAndSmoothing) {
+  const TestFolder folder;
+  const auto path = folder.write("ball.nrrd", ball_nrrd());
+  Monitor monitor;
+  const Dataset plain = dataset_from_file(path, 10.0, Inside::above, 0.0, Kernel::bspline, monitor);
+  EXPECT_EQ(plain.name, "ball");
+  EXPECT_TRUE(plain.preparation.empty());
+  EXPECT_TRUE(monitor.notes().empty());
+  const Dataset smooth = dataset_from_file(path, 10.0, Inside::above, 1.0, Kernel::bspline, monitor);
+  EXPECT_EQ(smooth.preparation.size(), 1U);
+  EXPECT_NE(smooth.checksum, plain.checksum);
+  EXPECT_NE(dataset_from_file(path, 10.5, Inside::above, 0.0, Kernel::bspline, monitor).checksum, plain.checksum);
+  EXPECT_EQ(dataset_from_file(path, 10.0, Inside::above, 0.0, Kernel::bspline, monitor).checksum, plain.checksum);
+  EXPECT_THROW(dataset_from_file(path, 99.0, Inside::above, 0.0, Kernel::bspline, monitor), DataError);
+  EXPECT_THROW(dataset_from_file(path, 10.0, Inside::above, -1.0, Kernel::bspline, monitor), UsageError);
+}
+
+/// True if f is inside at some node of the lattice's border.
+bool inside_at_border(const Isosurface& surface) {
+  const auto& size = surface.lattice().size;
+  std::vector<float> slab;
+  for (int k = 0; k < size[2]; ++k) {
+    surface.node_values(k, slab);
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i) {
+        const bool border = i == 0 || j == 0 || k == 0 || i == size[0] - 1 || j == size[1] - 1 || k == size[2] - 1;
+        if (border && slab[surface.lattice().index(i, j, 0)] > 0.0F) return true;
+      }
+    }
+  }
+  return false;
+}
+
+TEST(DatasetFromFile, ClosesAnObjectThatLeavesTheVolumeAndSaysSo) {
+  const TestFolder folder;
+  const auto path = folder.write("half.nrrd", ball_nrrd(1.0));  // the ball's middle lies at the border
+  Monitor monitor;
+  const Dataset above = dataset_from_file(path, 10.0, Inside::above, 0.0, Kernel::bspline, monitor);
+  ASSERT_EQ(monitor.notes().size(), 1U);
+  EXPECT_NE(monitor.notes()[0].find("closed at its border"), std::string::npos);
+  EXPECT_FALSE(inside_at_border(*above.surface));
+  // The complement leaves it on all sides.
+  const Dataset below = dataset_from_file(path, 10.0, Inside::below, 0.0, Kernel::bspline, monitor);
+  EXPECT_EQ(monitor.notes().size(), 2U);
+  EXPECT_FALSE(inside_at_border(*below.surface));
+}
+
+}  // namespace
+}  // namespace isobench

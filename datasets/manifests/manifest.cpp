@@ -1,0 +1,224 @@
+#include "isobench/datasets/manifests/manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/manifests/manifest_steps.h"
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/error.h"
+#include "isobench/foundation/names.h"
+#include "isobench/foundation/sha256.h"
+#include "isobench/foundation/toml.h"
+
+namespace isobench {
+
+namespace {
+
+/// Raised when a preparing step or a phantom changes its results, so that nothing made before is taken for current.
+constexpr int preparation_revision = 1;
+
+std::string string_or(const TomlValue& table, const char* key, const std::string& otherwise = "") {
+  const auto value = table.find(key);
+  return value ? value->as_string() : otherwise;
+}
+
+/// One of a few words; the first where the key is absent.
+template <class Choice>
+Choice parse_choice(const TomlValue& table, const char* key, std::initializer_list<Choice> choices) {
+  const auto value = table.find(key);
+  if (!value) return *choices.begin();
+  const std::string word = value->as_string();
+  std::vector<std::string> words;
+  for (const Choice choice : choices) {
+    words.push_back(to_string(choice));
+    if (word == words.back()) return choice;
+  }
+  throw UsageError(value->place(), fmt::format("unknown {} '{}'{}", key, word, suggestion(word, words)));
+}
+
+/// A path from outside must stay where it is put: no root, no "..". Nor may it be taken for an option of the programs
+/// that unpack packages, or be more than a file system can name.
+std::filesystem::path parse_relative(const TomlValue& value) {
+  const std::string text = value.as_string();
+  std::filesystem::path path(text);
+  const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+  if (path.empty() || path.is_absolute() || climbs) {
+    throw UsageError(value.place(), fmt::format("'{}' must be a relative path without '..'", text));
+  }
+  const bool long_part =
+      std::any_of(path.begin(), path.end(), [](const auto& part) { return part.string().size() > 200; });
+  if (text.front() == '-' || long_part || text.size() > 1000 || printable(text) != text) {
+    throw UsageError(value.place(), fmt::format("'{}' cannot be the path of a file here; rename it", text));
+  }
+  return path;
+}
+
+/// It goes to apt-get: a name as Debian's policy (5.6.1) has it, and so no option.
+ManifestPackage parse_package(const TomlValue& value, const std::optional<TomlValue>& archive) {
+  ManifestPackage package{value.as_string(), archive ? parse_relative(*archive).string() : ""};
+  const bool letters = package.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.") == std::string::npos;
+  if (package.name.size() < 2 || !letters || package.name.find_first_of("+-.") == 0) {
+    throw UsageError(value.place(), fmt::format("'{}' is not the name of a Debian package", package.name));
+  }
+  return package;
+}
+
+std::string parse_sha256(const TomlValue& value) {
+  std::string sum = value.as_string();
+  const bool digits = sum.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (sum.size() != 64 || !digits)
+    throw UsageError(value.place(), "a SHA-256 of 64 lower-case hexadecimal digits is expected");
+  return sum;
+}
+
+ManifestFile parse_file(const TomlValue& table, const std::string& address,
+                        const std::optional<ManifestPackage>& package) {
+  table.allow_keys({"name", "sha256", "member"}, "a file");
+  ManifestFile file;
+  file.name = parse_relative(table.require("name")).string();
+  if (!address.empty()) file.address = address + file.name;
+  if (package) file.member = parse_relative(table.require("member")).string();
+  if (const auto sum = table.find("sha256")) file.sha256 = parse_sha256(*sum);
+  if (file.sha256.empty() && (!file.address.empty() || package)) {
+    throw UsageError(table.place(), fmt::format("'{}' is fetched, so it needs its sha256", file.name));
+  }
+  return file;
+}
+
+RawLayout parse_raw(const TomlValue& table) {
+  table.allow_keys({"size", "spacing", "type", "byte_order"}, "[data.raw]");
+  RawLayout raw;
+  const TomlValue size = table.require("size");
+  const std::vector<TomlValue> counts = size.as_array();
+  if (counts.size() != 3) throw UsageError(size.place(), "three numbers of nodes are expected");
+  for (std::size_t axis = 0; axis < 3; ++axis) raw.size[axis] = parse_count(counts[axis], 1);
+  raw.spacing = parse_triple(table.require("spacing"));
+  const TomlValue type = table.require("type");
+  const std::vector<std::string> types = {"u8", "i8", "u16", "i16", "u32", "i32", "f32", "f64"};
+  if (std::find(types.begin(), types.end(), type.as_string()) == types.end()) {
+    throw UsageError(type.place(),
+                     fmt::format("unknown sample type '{}'{}", type.as_string(), suggestion(type.as_string(), types)));
+  }
+  raw.type = sample_type(type.as_string()).value_or(SampleType::u8);
+  const std::string order = string_or(table, "byte_order", "little");
+  if (order != "little" && order != "big") {
+    throw UsageError(table.require("byte_order").place(),
+                     fmt::format("byte_order is 'little' or 'big', not '{}'", order));
+  }
+  raw.order = order == "big" ? ByteOrder::big : ByteOrder::little;
+  return raw;
+}
+
+void parse_data(const TomlValue& table, Manifest& manifest) {
+  table.allow_keys({"folder", "address", "package", "archive", "files", "raw"}, "[data]");
+  if (const auto folder = table.find("folder"))
+    manifest.folder = parse_relative(*folder);
+  else if (manifest.beside.empty())
+    manifest.folder = manifest.name;
+  if (const auto package = table.find("package")) {
+    manifest.package = parse_package(*package, table.find("archive"));
+  }
+  for (const TomlValue& file : table.require("files").as_array()) {
+    manifest.files.push_back(parse_file(file, string_or(table, "address"), manifest.package));
+  }
+  if (manifest.files.empty()) throw UsageError(table.place(), "at least one file is expected");
+  if (const auto raw = table.find("raw")) manifest.raw = parse_raw(*raw);
+}
+
+ManifestPhantom parse_phantom(const TomlValue& table) {
+  const TomlValue name = table.require("name");
+  std::vector<std::string> names;
+  for (const Phantom& known : phantoms()) names.push_back(known.name);
+  if (std::find(names.begin(), names.end(), name.as_string()) == names.end()) {
+    throw UsageError(name.place(),
+                     fmt::format("unknown phantom '{}'{}", name.as_string(), suggestion(name.as_string(), names)));
+  }
+  ManifestPhantom chosen;
+  chosen.name = name.as_string();
+  std::vector<std::string> keys = {"name", "nodes"};
+  for (const PhantomParameter& parameter : phantom(chosen.name).parameters) {
+    keys.push_back(parameter.name);
+    const auto value = table.find(parameter.name);
+    if (!value) continue;
+    chosen.parameters[parameter.name] = value->as_number();
+    if (!(value->as_number() >= parameter.min && value->as_number() <= parameter.max)) {
+      throw UsageError(value->place(),
+                       fmt::format("{} must be {} to {} mm", parameter.name, parameter.min, parameter.max));
+    }
+  }
+  table.allow_keys(keys, "[phantom]");
+  // 2048³ samples are 32 GiB; more nodes are a slip of the pen.
+  chosen.nodes = parse_count(table.require("nodes"), 16, 2048);
+  return chosen;
+}
+
+}  // namespace
+
+Manifest read_manifest(const std::filesystem::path& path, const std::string& name) {
+  const TomlValue root = TomlValue::parse_file(path);
+  root.allow_keys(
+      {"title", "licence", "source", "acknowledgement", "isovalue", "inside", "kernel", "prepare", "data", "phantom"},
+      "a dataset's manifest");
+  Manifest manifest;
+  manifest.name = name;
+  if (name.ends_with(".toml")) {
+    manifest.name = path.stem().string();
+    if (!is_plain_name(manifest.name)) {
+      throw UsageError(Place{path.string()},
+                       "its name becomes part of the names of folders; rename it to up to 100 plain characters");
+    }
+    manifest.beside = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  }
+  manifest.title = root.require("title").as_string();
+  manifest.licence = string_or(root, "licence");
+  manifest.source = string_or(root, "source");
+  manifest.acknowledgement = string_or(root, "acknowledgement");
+  manifest.kernel = parse_choice(root, "kernel", {Kernel::bspline, Kernel::interpolating_bspline, Kernel::catmull_rom});
+  manifest.inside = parse_choice(root, "inside", {Inside::above, Inside::below});
+  const auto data = root.find("data");
+  const auto phantom = root.find("phantom");
+  if (data.has_value() == phantom.has_value()) {
+    throw UsageError(root.place(), "a manifest needs either [data] or [phantom]");
+  }
+  if (phantom) {
+    for (const char* key : {"isovalue", "inside", "prepare"}) {
+      if (const auto value = root.find(key))
+        throw UsageError(value->place(), fmt::format("a phantom has no '{}'", key));
+    }
+    manifest.phantom = parse_phantom(*phantom);
+    return manifest;
+  }
+  manifest.isovalue = root.require("isovalue").as_number();
+  if (const auto steps = root.find("prepare")) manifest.steps = parse_steps(*steps, manifest.inside);
+  parse_data(*data, manifest);
+  return manifest;
+}
+
+std::string manifest_checksum(const Manifest& manifest, const std::vector<std::string>& file_sums) {
+  std::string text = fmt::format("isobench dataset, preparation revision {}\nkernel {}\n", preparation_revision,
+                                 to_string(manifest.kernel));
+  if (manifest.phantom) {
+    text += fmt::format("phantom {} {}\n", manifest.phantom->name, manifest.phantom->nodes);
+    const Phantom shape = phantom(manifest.phantom->name, manifest.phantom->parameters);
+    for (const PhantomParameter& parameter : shape.parameters) {
+      text += fmt::format("{} {}\n", parameter.name, parameter.value);
+    }
+    return sha256_of_text(text);
+  }
+  for (const std::string& sum : file_sums) text += fmt::format("file {}\n", sum);
+  if (manifest.raw) {
+    const RawLayout& raw = *manifest.raw;
+    text += fmt::format("raw {} {} {}, {} {} {}, type {}, order {}\n", raw.size[0], raw.size[1], raw.size[2],
+                        raw.spacing[0], raw.spacing[1], raw.spacing[2], static_cast<int>(raw.type),
+                        static_cast<int>(raw.order));
+  } else {
+    text += fmt::format("read {}\n", std::filesystem::path(manifest.files.front().name).filename().string());
+  }
+  for (const PrepareStep& step : manifest.steps) text += fmt::format("step {}\n", describe(step));
+  text += fmt::format("isovalue {}\ninside {}\n", manifest.isovalue, to_string(manifest.inside));
+  return sha256_of_text(text);
+}
+
+}  // namespace isobench

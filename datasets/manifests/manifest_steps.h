@@ -1,0 +1,22 @@
+// The preparation chain of a manifest: prepare = [ { step = "pad", voxels = 4 }, … ].
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/preparation/prepare.h"
+#include "isobench/foundation/toml.h"
+
+namespace isobench {
+
+/// Throws UsageError, with the place, for an unknown step or key and for a value that makes no sense.
+std::vector<PrepareStep> parse_steps(const TomlValue& list, Inside inside);
+
+/// A number for all axes, or three; each must be > 0.
+Eigen::Vector3d parse_triple(const TomlValue& value);
+
+/// An integer from `least` to `most`.
+int parse_count(const TomlValue& value, int least, int most = std::numeric_limits<int>::max());
+
+}  // namespace isobench

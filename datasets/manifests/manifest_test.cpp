@@ -1,0 +1,148 @@
+#include "isobench/datasets/manifests/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include "isobench/foundation/error.h"
+#include "isobench/foundation/testing/test_files.h"
+
+namespace isobench {
+namespace {
+
+const std::string manifest_head = "title = \"T\"\nisovalue = 2.5\n";
+const std::string manifest_data = "[data]\nfiles = [ { name = \"v.nrrd\" } ]\n";
+
+Manifest parse(const std::string& text) {
+  const TestFolder folder;
+  const auto path = folder.write("own.toml", text);
+  return read_manifest(path, path.string());
+}
+
+/// The message has the place (file:line:) and `part`.
+void expect_usage_error(const std::string& text, int line, const std::string& part) {
+  try {
+    parse(text);
+    ADD_FAILURE() << "no error for:\n" << text;
+  } catch (const UsageError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("own.toml:" + std::to_string(line) + ":"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+}
+
+TEST(Manifest, SaysFilesStepsAndSurface) {
+  const Manifest manifest = parse(
+      "title = \"T\"\nlicence = \"L\"\nisovalue = -3\ninside = \"below\"\nkernel = \"catmull-rom\"\n"
+      "prepare = [ { step = \"gaussian\", sigma = [1, 2.5, 3] }, { step = \"close-border\", value = 9.5, layers = 3 } "
+      "]\n"
+      "[data]\nfolder = \"f\"\nraw = { size = [4, 5, 6], spacing = 2, type = \"i16\", byte_order = \"big\" }\n"
+      "files = [ { name = \"a\" }, { name = \"b\" } ]\n");
+  EXPECT_EQ(manifest.name, "own");
+  EXPECT_EQ(manifest.isovalue, -3.0);
+  EXPECT_EQ(manifest.inside, Inside::below);
+  EXPECT_EQ(manifest.kernel, Kernel::catmull_rom);
+  ASSERT_EQ(manifest.steps.size(), 2U);
+  EXPECT_EQ(std::get<Gaussian>(manifest.steps[0]).sigma, Eigen::Vector3d(1.0, 2.5, 3.0));
+  const auto& border = std::get<CloseBorder>(manifest.steps[1]);
+  EXPECT_EQ(border.value, 9.5);
+  EXPECT_EQ(border.layers, 3);
+  EXPECT_FALSE(border.use_minimum);
+  EXPECT_TRUE(border.object_below);  // as the object is
+  ASSERT_TRUE(manifest.raw);
+  EXPECT_EQ(manifest.raw->size, (std::array<int, 3>{4, 5, 6}));
+  EXPECT_EQ(manifest.raw->spacing, Eigen::Vector3d::Constant(2.0));
+  EXPECT_EQ(manifest.raw->order, ByteOrder::big);
+  EXPECT_EQ(manifest.files[1].name, "b");
+}
+
+TEST(Manifest, ErrorsNameTheLineAndTheNearestName) {
+  expect_usage_error(manifest_head + "isovalu = 3\n" + manifest_data, 3, "isovalue");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gausian\", sigma = 1 } ]\n" + manifest_data, 3,
+                     "gaussian");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gaussian\", sigmas = 1 } ]\n" + manifest_data, 3, "sigma");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gaussian\", sigma = 0 } ]\n" + manifest_data, 3, "> 0");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"gaussian\", sigma = [1, 2] } ]\n" + manifest_data, 3,
+                     "three");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"pad\", voxels = -1 } ]\n" + manifest_data, 3,
+                     "at least 0");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\" } ]\n" + manifest_data, 3, "minimum");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\", to = \"maximum\" } ]\n" + manifest_data, 3,
+                     "minimum");
+  expect_usage_error(manifest_head + "inside = \"abov\"\n" + manifest_data, 3, "above");
+  expect_usage_error(manifest_head + "kernel = \"b-spline\"\n" + manifest_data, 3, "bspline");
+  expect_usage_error(manifest_head + "[phantom]\nname = \"spere\"\nnodes = 64\n", 2, "isovalue");
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"spere\"\nnodes = 64\n", 3, "sphere");
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 3\n", 4, "at least");
+  expect_usage_error("title = \"T\"\n" + manifest_data, 1, "isovalue");
+  expect_usage_error(manifest_head, 1, "[data]");
+}
+
+TEST(Manifest, APhantomsOwnLengthsMayBeStated) {
+  const std::string sheets = "title = \"T\"\n[phantom]\nname = \"thin-sheets\"\nnodes = 64\n";
+  const Manifest manifest = parse(sheets + "gap = 1.5\n");
+  EXPECT_EQ(manifest.phantom->parameters, (std::map<std::string, double>{{"gap", 1.5}}));
+  EXPECT_NE(manifest_checksum(manifest, {}), manifest_checksum(parse(sheets), {}));
+  // What is stated as it is anyway changes nothing.
+  EXPECT_EQ(manifest_checksum(parse(sheets + "gap = 1\n"), {}), manifest_checksum(parse(sheets), {}));
+  expect_usage_error(sheets + "gap = 0\n", 5, "0.01 to 100 mm");
+  expect_usage_error(sheets + "gap = inf\n", 5, "0.01 to 100 mm");
+  expect_usage_error(sheets + "gab = 1\n", 5, "did you mean 'gap'?");
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 64\ngap = 1\n", 5, "gap");
+}
+
+TEST(Manifest, RefusesFilesThatCouldDoHarm) {
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"../v.nrrd\" } ]\n", 4, "..");
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"/etc/v.nrrd\" } ]\n", 4, "relative");
+  expect_usage_error(manifest_head + "[data]\naddress = \"https://example.org/\"\nfiles = [ { name = \"v.nrrd\" } ]\n",
+                     5, "sha256");
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"v.nrrd\", sha256 = \"12\" } ]\n", 4, "64");
+  expect_usage_error(manifest_head + "[data]\nfiles = []\n", 3, "at least one");
+}
+
+TEST(ManifestChecksum, CoversAllThatDecidesTheResultAndNothingElse) {
+  const std::string steps = "prepare = [ { step = \"gaussian\", sigma = 1.5 } ]\n";
+  const auto sum = [](const std::string& text) { return manifest_checksum(parse(text), {"s"}); };
+  const std::string reference = sum(manifest_head + steps + manifest_data);
+  EXPECT_EQ(sum("licence = \"other\"\nsource = \"x\"\n" + manifest_head + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "prepare = [ { step = \"gaussian\", sigma = 1.500001 } ]\n" + manifest_data),
+            reference);
+  EXPECT_NE(sum("title = \"T\"\nisovalue = 2.500001\n" + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "inside = \"below\"\n" + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "kernel = \"catmull-rom\"\n" + steps + manifest_data), reference);
+  EXPECT_NE(manifest_checksum(parse(manifest_head + steps + manifest_data), {"t"}), reference);
+}
+
+TEST(Manifest, WhatGoesToOtherProgramsIsNoOptionOfTheirs) {
+  const std::string sum = "sha256 = \"" + std::string(64, '0') + "\"";
+  const auto packaged = [&](const std::string& package, const std::string& archive, const std::string& member) {
+    return manifest_head + "[data]\npackage = \"" + package + "\"\narchive = \"" + archive +
+           "\"\nfiles = [ { name = \"v.nrrd\", " + sum + ", member = \"" + member + "\" } ]\n";
+  };
+  EXPECT_EQ(parse(packaged("libcgal-demo", "a.tar.gz", "m/v.nrrd")).package->archive, "a.tar.gz");
+  expect_usage_error(packaged("--option=x", "a.tar.gz", "m"), 4, "'--option=x' is not the name of a Debian package");
+  expect_usage_error(packaged("libcgal-demo", "/etc/a.tar.gz", "m"), 5, "relative");
+  expect_usage_error(packaged("libcgal-demo", "a.tar.gz", "--to-command=x"), 6, "cannot be the path of a file");
+  expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"" + std::string(300, 'n') + "\" } ]\n", 4,
+                     "cannot be the path");
+}
+
+TEST(Manifest, NumbersBeyondWhatCanBeDoneAreRefused) {
+  const auto step = [](const std::string& text) {
+    return manifest_head + "prepare = [ { step = " + text + " } ]\n" + manifest_data;
+  };
+  expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 2147483647\n", 4, "at most 2048");
+  expect_usage_error(step("\"pad\", voxels = 3000000000"), 3, "at most 2147483647");
+  expect_usage_error(step("\"pad\", voxels = 1, value = 1e39"), 3, "finite");
+  expect_usage_error(step("\"gaussian\", sigma = 1e9"), 3, "at most 1000 voxels");
+}
+
+TEST(Manifest, ItsNameCannotLeaveTheFoldersThatAreNamedAfterIt) {
+  const TestFolder folder;
+  for (const std::string name : {"...toml", ".hidden.toml", "-option.toml", "a\nb.toml"}) {
+    const auto path = folder.write(name, manifest_head + manifest_data);
+    EXPECT_THROW(read_manifest(path, path.string()), UsageError) << name;
+  }
+}
+
+}  // namespace
+}  // namespace isobench

@@ -1,0 +1,90 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "isobench/datasets/preparation/prepare_steps.h"
+
+namespace isobench {
+
+namespace {
+
+/// Weights at 0, 1, …, radius, normalised so that the whole kernel sums to 1.
+std::vector<float> half_kernel(double sigma) {
+  const int radius = static_cast<int>(std::lround(4.0 * sigma));
+  if (radius == 0) return {1.0F};  // also where the square of sigma would be 0
+  std::vector<double> weights(static_cast<std::size_t>(radius) + 1);
+  double sum = 0.0;
+  for (int t = 0; t <= radius; ++t) {
+    weights[static_cast<std::size_t>(t)] = std::exp(-0.5 * t * t / (sigma * sigma));
+    sum += (t == 0 ? 1.0 : 2.0) * weights[static_cast<std::size_t>(t)];
+  }
+  std::vector<float> kernel;
+  for (const double weight : weights) kernel.push_back(static_cast<float>(weight / sum));
+  return kernel;
+}
+
+/// Rows along x: each is copied with its border repeated, then filtered back into place.
+void filter_x(Volume& volume, const std::vector<float>& kernel) {
+  const auto count = static_cast<std::size_t>(volume.lattice.size[0]);
+  const std::size_t rows = volume.samples.size() / count;
+  const std::size_t radius = kernel.size() - 1;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& range) {
+    std::vector<float> padded(count + 2 * radius);
+    for (std::size_t row = range.begin(); row < range.end(); ++row) {
+      float* samples = volume.samples.data() + row * count;
+      std::fill_n(padded.begin(), radius, samples[0]);
+      std::copy_n(samples, count, padded.begin() + static_cast<std::ptrdiff_t>(radius));
+      std::fill_n(padded.end() - static_cast<std::ptrdiff_t>(radius), radius, samples[count - 1]);
+      const float* centre = padded.data() + radius;
+      for (std::size_t n = 0; n < count; ++n) samples[n] = kernel[0] * centre[n];
+      for (std::size_t t = 1; t <= radius; ++t) {
+        for (std::size_t n = 0; n < count; ++n) samples[n] += kernel[t] * (*(centre + n - t) + centre[n + t]);
+      }
+    }
+  });
+}
+
+/// Along y or z: sheets of `count` x-rows are copied and filtered back, a whole row at a time.
+void filter_sheets(Volume& volume, int axis, const std::vector<float>& kernel) {
+  const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
+  const auto ny = static_cast<std::size_t>(volume.lattice.size[1]);
+  const auto nz = static_cast<std::size_t>(volume.lattice.size[2]);
+  const std::size_t count = axis == 1 ? ny : nz;
+  const std::size_t stride = axis == 1 ? nx : nx * ny;
+  const std::size_t sheets = axis == 1 ? nz : ny;
+  const std::size_t sheet_stride = axis == 1 ? nx * ny : nx;
+  const std::size_t radius = kernel.size() - 1;
+  tbb::parallel_for(std::size_t{0}, sheets, [&](std::size_t sheet) {
+    float* first = volume.samples.data() + sheet * sheet_stride;
+    std::vector<float> copy(count * nx);
+    for (std::size_t n = 0; n < count; ++n) std::copy_n(first + n * stride, nx, copy.data() + n * nx);
+    for (std::size_t n = 0; n < count; ++n) {
+      float* out = first + n * stride;
+      const float* centre = copy.data() + n * nx;
+      for (std::size_t i = 0; i < nx; ++i) out[i] = kernel[0] * centre[i];
+      for (std::size_t t = 1; t <= radius; ++t) {
+        const float* before = copy.data() + (n >= t ? n - t : 0) * nx;
+        const float* after = copy.data() + std::min(n + t, count - 1) * nx;
+        for (std::size_t i = 0; i < nx; ++i) out[i] += kernel[t] * (before[i] + after[i]);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+void gaussian(Volume& volume, const Eigen::Vector3d& sigma, Monitor& monitor) {
+  for (int axis = 0; axis < 3; ++axis) {
+    monitor.progress(axis / 3.0);
+    if (sigma[axis] <= 0.0) continue;
+    const std::vector<float> kernel = half_kernel(sigma[axis]);
+    if (axis == 0)
+      filter_x(volume, kernel);
+    else
+      filter_sheets(volume, axis, kernel);
+  }
+}
+
+}  // namespace isobench

@@ -1,0 +1,107 @@
+#include "isobench/datasets/preparation/prepare.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "isobench/datasets/preparation/prepare_steps.h"
+#include "isobench/foundation/error.h"
+
+namespace isobench {
+
+namespace {
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+// C++20 deduces this by itself; clang learnt to in its version 17.
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+
+/// Every sample becomes 1 where `selected`, else 0; throws `nothing` if none is.
+template <class Selected>
+void select(Volume& volume, Selected selected, const std::string& nothing) {
+  bool any = false;
+  const Range range = sample_range(volume);
+  for (float& sample : volume.samples) {
+    const bool keep = selected(sample);
+    any = any || keep;
+    sample = keep ? 1.0F : 0.0F;
+  }
+  if (!any) throw DataError(fmt::format("{}: the samples lie in [{}, {}]", nothing, range.min, range.max));
+}
+
+void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
+  std::visit(Overloaded{
+                 [&](const Threshold& s) {
+                   select(
+                       volume, [&](float sample) { return sample >= s.at; },
+                       fmt::format("threshold: no sample reaches {}", s.at));
+                 },
+                 [&](const SelectLabels& s) {
+                   const auto is_label = [&](float sample) {
+                     return std::any_of(s.labels.begin(), s.labels.end(),
+                                        [&](int label) { return sample == static_cast<float>(label); });
+                   };
+                   select(volume, is_label, fmt::format("labels: no sample is one of {}", fmt::join(s.labels, ", ")));
+                 },
+                 [&](const LargestComponent&) { keep_largest_component(volume); },
+                 [&](const Crop& s) { crop(volume, s.margin); },
+                 [&](const Pad& s) { pad(volume, s.voxels, static_cast<float>(s.value)); },
+                 [&](const Resample& s) { resample(volume, s.spacing); },
+                 [&](const SignedDistance&) { signed_distance(volume, monitor); },
+                 [&](const Gaussian& s) { gaussian(volume, s.sigma, monitor); },
+                 [&](const CloseBorder& s) { close_border(volume, s); },
+                 [&](const Subsample& s) { subsample(volume, s.factor); },
+             },
+             step);
+}
+
+const char* name_of(const PrepareStep& step) {
+  static constexpr const char* names[] = {"threshold",    "labels",   "largest-component", "crop",
+                                          "pad",          "resample", "signed-distance",   "gaussian",
+                                          "close-border", "subsample"};
+  static_assert(std::size(names) == std::variant_size_v<PrepareStep>);
+  return names[step.index()];
+}
+
+}  // namespace
+
+std::string describe(const PrepareStep& step) {
+  const std::string name = name_of(step);
+  return std::visit(
+      Overloaded{
+          [&](const Threshold& s) { return fmt::format("{} >= {}", name, s.at); },
+          [&](const SelectLabels& s) { return fmt::format("{} {{{}}}", name, fmt::join(s.labels, ", ")); },
+          [&](const LargestComponent&) { return name + ", 26-connected"; },
+          [&](const Crop& s) { return fmt::format("{} to the object and {} voxels around it", name, s.margin); },
+          [&](const Pad& s) { return fmt::format("{} {} voxels of {}", name, s.voxels, s.value); },
+          [&](const Resample& s) { return fmt::format("{} to {} mm, linear", name, triple(s.spacing)); },
+          [&](const SignedDistance&) { return name + " in mm, positive inside"; },
+          [&](const Gaussian& s) { return fmt::format("{} sigma = {} voxels", name, triple(s.sigma)); },
+          [&](const CloseBorder& s) {
+            const char* extreme = s.object_below ? "maximum" : "minimum";
+            const char* side = s.object_below ? "least" : "most";
+            return s.use_minimum ? fmt::format("{}: outermost {} layers to the {}", name, s.layers, extreme)
+                                 : fmt::format("{}: outermost {} layers to at {} {}", name, s.layers, side, s.value);
+          },
+          [&](const Subsample& s) { return fmt::format("{} by {}", name, s.factor); },
+      },
+      step);
+}
+
+Volume prepare(Volume volume, const std::vector<PrepareStep>& steps, Monitor& monitor) {
+  const auto stage = monitor.stage("prepare");
+  for (const PrepareStep& step : steps) {
+    const auto step_stage = monitor.stage(name_of(step));
+    monitor.check();
+    apply(volume, step, monitor);
+  }
+  return volume;
+}
+
+}  // namespace isobench

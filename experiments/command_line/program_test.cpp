@@ -1,0 +1,219 @@
+// Exit codes and sentences of the program, and what its verbs print.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "isobench/experiments/command_line/test_program.h"
+#include "isobench/methods/method.h"
+
+namespace isobench {
+namespace {
+
+class ProgramVerbs : public testing::Test {
+ protected:
+  Outcome run(const std::vector<std::string>& arguments) { return run_program(folder_.path(), arguments); }
+  void expect(const std::vector<std::string>& arguments, int code, const std::string& sentence) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << "got: " << outcome.err;
+    EXPECT_EQ(outcome.out, "");  // stdout is for results
+  }
+  TestFolder folder_;
+};
+
+const std::vector<std::string> mesh_torus = {"mesh", "--dataset", "torus", "--method", "marching-cubes", "-q"};
+
+TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
+  expect({"rnu"}, 2, "did you mean 'run'?");
+  expect({"run", "nowhere.toml"}, 2, "nowhere.toml");
+  expect({"mesh", "--dataset", "torsu", "--epsilon", "1", "--delta", "0.5"}, 2, "did you mean 'torus'?");
+  expect(with(mesh_torus, {"--epsilon", "-1", "--delta", "0.3"}), 2, "epsilon");
+  expect(with(mesh_torus, {"--epsilon", "nan", "--delta", "0.3"}), 2, "epsilon");
+  expect(with(mesh_torus, {"--epsilon", "much", "--delta", "0.3"}), 2, "--epsilon");
+  expect(mesh_torus, 2, "edge");
+  expect(with(mesh_torus, {"--edge-length", "2", "--vertices", "100"}), 2, "edge");
+  expect(with(mesh_torus, {"--edge-length", "2", "-o", "mesh.stp"}), 2, "unknown ending '.stp'");
+  expect(with(mesh_torus, {"--edge-length", "2", "-o", "no/such/mesh.ply"}), 2, "does not exist");
+  expect(with(mesh_torus, {"--edge-length", "2", "--frobnicate"}), 2, "--frobnicate");
+  expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--method", "partcles"}, 2, "did you mean 'particles'?");
+  expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--set", "sweps=3"}, 2, "did you mean 'sweeps'?");
+  expect({"mesh", "--volume", "scan.nrrd", "--edge-length", "2"}, 2, "--isovalue");
+  expect({"list", "metohds"}, 2, "did you mean 'methods'?");
+}
+
+TEST_F(ProgramVerbs, BadDataExitWith3) {
+  expect({"mesh", "--volume", "nowhere.nrrd", "--isovalue", "1", "--edge-length", "2", "-q"}, 3, "nowhere.nrrd");
+  folder_.write("empty.nrrd", "");
+  expect({"mesh", "--volume", "empty.nrrd", "--isovalue", "1", "--edge-length", "2", "-q"}, 3, "empty.nrrd");
+  folder_.write("mesh.ply", "no mesh\n");
+  expect({"measure", "mesh.ply", "--dataset", "torus", "-q"}, 3, "mesh.ply");
+  expect({"report", "results/none"}, 3, "no results folder");
+}
+
+TEST_F(ProgramVerbs, HostileFilesExitWith3AndOneSentence) {
+  const auto refused = [&](const std::string& name, const std::string& bytes, const std::string& sentence) {
+    SCOPED_TRACE(name);
+    folder_.write(name, bytes);
+    const bool mesh = name.starts_with("mesh");
+    const Outcome outcome = mesh ? run({"measure", name, "--dataset", "torus", "-q"})
+                                 : run({"mesh", "--volume", name, "--isovalue", "1", "--edge-length", "2", "--method",
+                                        "marching-cubes", "-q"});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
+  refused("mesh.off", "OFF\n3 1 0\n" + corners + "3 0 1 3\n", "names a vertex that is not there");
+  refused("mesh2.off", "OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "are not finite");
+  refused("mesh3.off", "OFF\n3 0 0\n" + corners, "no triangles");
+  refused("mesh4.off", "OFF\n900000000000 900000000000 0\n" + corners, "truncated");
+  refused("mesh.stl", std::string(80, ' ') + "\xff\xff\xff\xff", "truncated");
+  refused("mesh.vtp",
+          "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"900000000000\"/></PolyData></VTKFile>",
+          "no coordinates");
+  refused("scan.nrrd", "NRRD0004\ntype: float\ndimension: 3\nsizes: 60000 60000 200\nencoding: raw\n\n1234",
+          "truncated");
+  refused("scan.mha",
+          "NDims = 3\nDimSize = 2147483647 2147483647 2147483647\nElementType = MET_FLOAT\n"
+          "ElementDataFile = LOCAL\n",
+          "not that of a 3-D volume");
+  refused("scan.vti", "<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"5 -5 0 9 0 9\"/></VTKFile>",
+          "not that of a 3-D");
+}
+
+TEST_F(ProgramVerbs, DegenerateMeshesAreMeasured) {
+  // Triangles without an area, one corner thrice, the same place twice, far away: nothing a figure cannot say.
+  folder_.write("flat.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n2 0 0\n1 0 0\n1e9 0 0\n3 0 1 2\n3 1 1 1\n3 0 1 3\n3 0 2 4\n");
+  const Outcome outcome = run({"measure", "flat.off", "--dataset", "torus", "--json", "-q"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"radius_ratio_min\": 0"), std::string::npos) << outcome.out;
+  folder_.write("far.off", "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n");
+  expect({"measure", "far.off", "--dataset", "torus", "-q"}, 3, "coordinates must be in mm");
+}
+
+TEST_F(ProgramVerbs, ARecordFromElsewhereRemovesNothingOutsideItsFolder) {
+  folder_.write("precious/run.json", "{}");
+  const std::string request =
+      R"({"run": "../../precious", "dataset": "torus", "dataset_checksum": "0", "method": "marching-cubes",
+"method_revision": 1, "label": "x", "parameters": {}, "epsilon": null, "delta": null, "floor_voxels": 0.5,
+"edge_length": 2.0, "vertices": null, "match_scale": 1.0, "seed": 1, "reference_k": 1, "metrics_revision": 0,
+"limit_minutes": null, "limit_memory_gb": null})";
+  folder_.write("results/x/plan.json", R"({"schema_version": 1, "runs": [)" + request + "]}");
+  expect({"measure", "results/x"}, 3, "'../../precious' cannot be the name of a run's folder");
+  expect({"report", "results/x"}, 3, "plan.json");
+  expect({"cell", "--plan", "results/x/plan.json", "--run", "../../precious", "--folder", "."}, 3, "plan.json");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "precious/run.json"));
+}
+
+TEST_F(ProgramVerbs, RunsWithoutUsableDataExitWith3AndAreRecorded) {
+  folder_.write("own.toml", R"(title = "own"
+licence = "own"
+source = "own"
+isovalue = 0.5
+inside = "above"
+prepare = []
+[data]
+folder = "own"
+files = [ { name = "scan.nrrd", sha256 = "0000000000000000000000000000000000000000000000000000000000000000" } ]
+)");
+  std::filesystem::create_directory(folder_.path() / "own");
+  folder_.write("own/scan.nrrd", "NRRD0004\n");
+  folder_.write("x.toml", R"(dataset = "own.toml"
+[sampling]
+edge_length = 2
+[[method]]
+name = "marching-cubes"
+)");
+  const Outcome outcome = run({"run", "x.toml"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("| failed: "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("scan.nrrd"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ProgramVerbs, MeshThenMeasureAgree) {
+  const Outcome meshed = run(with(mesh_torus, {"--epsilon", "0.5", "--delta", "0.3", "-o", "torus.vtp"}));
+  ASSERT_EQ(meshed.code, 0) << meshed.err;
+  EXPECT_EQ(meshed.err, "");
+  EXPECT_NE(meshed.out.find("Euler 0 (surface 0"), std::string::npos) << meshed.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "torus.vtp"));
+  const Outcome measured = run({"measure", "torus.vtp", "--dataset", "torus", "--epsilon", "0.5", "-q"});
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  // The mesh went through world coordinates and a file and came back: the same figures, line by line.
+  const std::size_t figures = meshed.out.find("size ");
+  EXPECT_EQ(measured.out, meshed.out.substr(figures, measured.out.size()));
+}
+
+TEST_F(ProgramVerbs, MeshLeavesArtefactsInAFolder) {
+  const std::vector<std::string> sized = {"mesh", "--dataset", "sphere", "--epsilon", "1", "--delta", "0.5", "-q"};
+  expect(with(sized, {"--artefacts", "nowhere"}), 2, "nowhere");
+  std::filesystem::create_directory(folder_.path() / "here");
+  const Outcome outcome = run(with(sized, {"--artefacts", "here"}));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "here" / "medial-axis.vtp"));
+}
+
+TEST_F(ProgramVerbs, MeasureAsJsonKnowsWhatItWasNotAsked) {
+  ASSERT_EQ(run(with(mesh_torus, {"--edge-length", "2", "-o", "torus.ply"})).code, 0);
+  const Outcome measured = run({"measure", "torus.ply", "--dataset", "torus", "--json", "-q"});
+  ASSERT_EQ(measured.code, 0) << measured.err;
+  EXPECT_NE(measured.out.find("\"edge_over_h0_max\": null"), std::string::npos) << measured.out;
+  EXPECT_NE(measured.out.find("\"euler\": 0"), std::string::npos) << measured.out;
+}
+
+TEST_F(ProgramVerbs, ListAndVersionSayWhatThereIs) {
+  const Outcome methods = run({"list", "methods"});
+  EXPECT_EQ(methods.code, 0);
+  EXPECT_NE(methods.out.find("particles"), std::string::npos);
+  EXPECT_NE(methods.out.find("sweeps"), std::string::npos);
+  const Outcome all = run({"list"});
+  for (const char* word : {"datasets:", "torus", "metrics:", "radius_ratio_min", "columns:", "seconds_total",
+                           "experiments:", "quick.toml"}) {
+    EXPECT_NE(all.out.find(word), std::string::npos) << word;
+  }
+  const Outcome version = run({"--version"});
+  EXPECT_EQ(version.code, 0);
+  for (const char* word : {"isobench ", "commit", "VTK 9", "CGAL 5"}) {
+    EXPECT_NE(version.out.find(word), std::string::npos) << word;
+  }
+}
+
+TEST_F(ProgramVerbs, DryRunTouchesNothing) {
+  const Outcome outcome =
+      run({"run", std::string(ISOBENCH_EXPERIMENTS) + "/quick.toml", "--dry-run", "--only", "torus/*"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("to do      torus-particles-e0.5-d0.3-s1-"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "results"));
+}
+
+TEST_F(ProgramVerbs, SetAndSeedMakeAnotherExperiment) {
+  const std::string config = std::string(ISOBENCH_EXPERIMENTS) + "/quick.toml";
+  const auto plan = [&](const std::vector<std::string>& more) {
+    return run(with({"run", config, "--dry-run", "--only", "torus/particles"}, more)).out;
+  };
+  EXPECT_NE(plan({"--seed", "7"}).find("to do      torus-particles-e0.5-d0.3-s7-"), std::string::npos);
+  const std::string several = plan({"--seed", "3,5"});
+  for (const char* name : {"to do      torus-particles-e0.5-d0.3-s3-", "to do      torus-particles-e0.5-d0.3-s5-"}) {
+    EXPECT_NE(several.find(name), std::string::npos) << several;
+  }
+  EXPECT_EQ(run({"run", "--seed", "3,5", config, "--dry-run", "--only", "torus/particles"}).out, several);
+  expect({"run", config, "--dry-run", "--seed", "3,x"}, 2, "--seed");
+  const int sweeps = Parameters(method("particles").parameters).integer("sweeps");
+  EXPECT_EQ(plan({"--set", fmt::format("sweeps={}", sweeps)}), plan({}));
+  EXPECT_NE(plan({"--set", fmt::format("sweeps={}", sweeps + 1)}), plan({}));
+  expect({"run", config, "--dry-run", "--set", "swepes=5"}, 2, "did you mean 'sweeps'?");
+}
+
+TEST_F(ProgramVerbs, TheProjectsOwnConfigsAreSound) {
+  for (const auto& entry : std::filesystem::directory_iterator(ISOBENCH_EXPERIMENTS)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = run({"run", entry.path().string(), "--dry-run"});
+    EXPECT_EQ(outcome.code, 0) << entry.path() << outcome.err;
+    EXPECT_NE(outcome.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace isobench

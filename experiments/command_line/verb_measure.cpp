@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/experiments/command_line/verbs.h"
+#include "isobench/experiments/runner/remeasure.h"
+#include "isobench/experiments/runner/store.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/reports/record/record.h"
+#include "isobench/reports/tables/summary.h"
+
+namespace isobench {
+
+namespace {
+
+int measure_results(const MeasureArguments& arguments, const CommonArguments& common) {
+  if (!arguments.dataset.empty() || arguments.epsilon || arguments.json) {
+    throw UsageError(
+        arguments.mesh.string() +
+        " is a folder: each run of it is measured against its own dataset and sizing; leave out --dataset, "
+        "--epsilon and --json, or name a mesh file");
+  }
+  Console console(common.verbosity);
+  const RemeasureSummary summary = remeasure(arguments.mesh, console);
+  write_report_locked(arguments.mesh, common.tables_only ? ReportParts::tables : ReportParts::all);
+  std::string text = fmt::format("{} measured", summary.measured);
+  if (summary.without_mesh > 0) text += fmt::format(", {} without a mesh", summary.without_mesh);
+  if (summary.failed > 0) text += fmt::format(", {} kept as they were", summary.failed);
+  if (summary.elsewhere > 0) text += fmt::format(", {} left to another process", summary.elsewhere);
+  console.line(fmt::format("{}: {}", arguments.mesh.string(), text));
+  return summary.failed > 0 ? 1 : 0;
+}
+
+int measure_file(const MeasureArguments& arguments, const CommonArguments& common) {
+  if (arguments.dataset.empty()) throw UsageError("give --dataset, the surface to measure the mesh against");
+  SizingRequest request;
+  if (arguments.epsilon) {
+    request.epsilon = arguments.epsilon;
+    request.delta = 0.3;  // h0, which is all that is measured against, does not depend on it
+    request.floor = arguments.floor;
+    check(request);
+  }
+  TriangleMesh mesh = read_mesh(arguments.mesh);
+  Console console(common.verbosity);
+  ConsoleSink sink(console);
+  Monitor monitor(&sink);
+  const Dataset dataset = load_dataset(arguments.dataset, monitor);
+  mesh = to_local(std::move(mesh), dataset.surface->lattice());
+  const SizingField sizing =
+      arguments.epsilon ? make_sizing_field(*dataset.surface, request, monitor) : SizingField(1.0);
+  Measurement measurement = measure(mesh, *dataset.surface, sizing, arguments.reference_k, monitor);
+  if (!arguments.epsilon) forget_edge_lengths(measurement);
+  console.clear();
+  fmt::print("{}", arguments.json ? to_json(measurement) : summary_text(measurement));
+  return 0;
+}
+
+}  // namespace
+
+int measure_verb(const MeasureArguments& arguments, const CommonArguments& common) {
+  if (std::filesystem::is_directory(arguments.mesh)) return measure_results(arguments, common);
+  return measure_file(arguments, common);
+}
+
+}  // namespace isobench

@@ -1,0 +1,71 @@
+// Configs with the plans that are made of them, and --set.
+#include <algorithm>
+
+#include "isobench/experiments/plan/config.h"
+#include "isobench/experiments/plan/plan.h"
+#include "isobench/foundation/names.h"
+#include "isobench/foundation/testing/fuzz_target.h"
+
+namespace isobench {
+
+namespace {
+
+/// A plan of thousands of runs shows no more than one of a few, and takes longer.
+bool is_large(const Config& config) {
+  std::size_t runs = config.seeds.size() * static_cast<std::size_t>(config.repeats) * config.reference_k.size() *
+                     (config.variations.size() + 1) * config.datasets.size();
+  const auto several = [&](const Sampling& sampling) {
+    for (const auto* list :
+         {&sampling.epsilon, &sampling.delta, &sampling.edge_length, &sampling.vertices, &sampling.floor}) {
+      runs *= std::max<std::size_t>(list->size(), 1);
+    }
+  };
+  several(config.sampling);
+  for (const Override& change : config.overrides) several(change.sampling);
+  for (const MethodEntry& entry : config.methods) {
+    for (const auto& [name, values] : entry.parameters) runs *= values.size();
+  }
+  for (const Variation& variation : config.variations) runs += runs * variation.values.size();
+  return runs > 500;
+}
+
+/// What a results folder keeps of a config must be read again as the same one.
+void check_config(Config config) {
+  require(is_plain_name(config.name), "a results folder stays where it is");
+  if (is_large(config)) return;
+  const std::vector<RunRequest> plan = make_plan(config);
+  for (const RunRequest& request : plan) require(is_plain_name(request.run, 240), "a run's folder stays where it is");
+  config.published.reset();
+  const Config again = read_config(fuzz_file("stored.toml", to_toml(config, "")));
+  require(identity(again) == identity(config), "written and read, a config is the same");
+  require(plan_to_json(make_plan(again)) == plan_to_json(plan), "written and read, a config has the same plan");
+}
+
+}  // namespace
+
+bool fuzz_config(std::string_view bytes) {
+  const std::filesystem::path path = fuzz_file("config.toml", bytes);
+  accepts([&] {
+    check_config(read_config(path, Size::quick));
+    return true;
+  });
+  return accepts([&] {
+    check_config(read_config(path));
+    return true;
+  });
+}
+
+bool fuzz_set(std::string_view bytes) {
+  static const Config base = read_config(fuzz_file("base.toml",
+                                                   "dataset = \"torus\"\n[sampling]\nedge_length = 2\n"
+                                                   "[[method]]\nname = \"particles\"\n"));
+  return accepts([&] {
+    Config config = base;
+    set_parameter(config, std::string(bytes));
+    require(make_plan(config).size() == 1, "a setting leaves one run of one");
+    check_config(config);
+    return true;
+  });
+}
+
+}  // namespace isobench

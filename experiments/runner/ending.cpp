@@ -1,0 +1,95 @@
+#include "isobench/experiments/runner/ending.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <fstream>
+
+#include "isobench/experiments/plan/plan.h"
+#include "isobench/experiments/runner/cell.h"
+#include "isobench/foundation/processes.h"
+
+namespace isobench {
+
+namespace {
+
+std::string last_lines(const std::filesystem::path& log, std::size_t count) {
+  std::ifstream file(log, std::ios::binary | std::ios::ate);
+  const std::streamoff length = file.tellg();
+  file.seekg(std::max<std::streamoff>(0, length - 4096));  // however much a child has written
+  std::deque<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty()) continue;
+    lines.push_back(line);
+    if (lines.size() > count) lines.pop_front();
+  }
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : " | ") + line;
+  return text;
+}
+
+RunRecord failure(const RunRequest& request, Status status, const std::string& reason, double seconds) {
+  RunRecord record = begin_record(request, 0);
+  record.status = status;
+  record.reason = reason;
+  record.seconds_total = seconds;
+  return record;
+}
+
+// What a child that came to its end recorded of its run; where that is nonsense, std::nullopt and why. Its mesh is not
+// read here, where a damaged file would cost more than its own run: whoever reads it checks it.
+std::optional<RunRecord> recorded_by_child(const RunRequest& request, const std::filesystem::path& folder,
+                                           std::string& reason) {
+  try {
+    RunRecord record = record_from_json(read_text(folder / "run.json"), "run.json");
+    std::error_code none;
+    const bool meshed = std::filesystem::is_regular_file(folder / "mesh.vtp") &&
+                        std::filesystem::file_size(folder / "mesh.vtp", none) > 0;
+    if (result_key(record.request) != result_key(request)) {
+      reason = "left the record of another run (" + record.request.run + ")";
+    } else if (record.status == Status::ok && !meshed) {
+      reason = "recorded as ok without a mesh";
+    } else {
+      return record;
+    }
+  } catch (const Error&) {
+    reason = "left a run.json that is no run record";
+  }
+  return std::nullopt;
+}
+
+std::string exit_reason(const ChildExit& exit, const std::filesystem::path& log) {
+  const std::string how = exit.signal != 0 ? "ended by " + signal_name(exit.signal)
+                                           : fmt::format("ended with exit code {} and no record", exit.code);
+  const std::string tail = last_lines(log, 3);
+  return tail.empty() ? how : how + "; its log ends: " + tail;
+}
+
+}  // namespace
+
+EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double seconds,
+                        const std::filesystem::path& folder) {
+  std::string reason;
+  if (exit.signal != 0 || !std::filesystem::is_regular_file(folder / "run.json")) {
+    reason = exit_reason(exit, folder / "log.txt");
+  } else if (std::optional<RunRecord> record = recorded_by_child(request, folder, reason)) {
+    return {std::move(*record), true};
+  }
+  return {failure(request, Status::failed, reason, seconds), false};
+}
+
+std::optional<RunRecord> beyond_limits(const RunRequest& request, Child& child) {
+  const double seconds = child.seconds();
+  if (request.limit_minutes && seconds > 60.0 * *request.limit_minutes) {
+    return failure(request, Status::timeout, fmt::format("not finished after {} minutes", *request.limit_minutes),
+                   seconds);
+  }
+  if (request.limit_memory_gb && child.peak_memory_gb() > *request.limit_memory_gb) {
+    return failure(request, Status::out_of_memory, fmt::format("needed more than {} GB", *request.limit_memory_gb),
+                   seconds);
+  }
+  return std::nullopt;
+}
+
+}  // namespace isobench

@@ -1,0 +1,159 @@
+#include "isobench/experiments/runner/remeasure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/experiments/plan/plan.h"
+#include "isobench/experiments/runner/cell.h"
+#include "isobench/experiments/runner/store.h"
+#include "isobench/methods/mesh/mesh_checksum.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/reports/runs/results.h"
+
+namespace isobench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The dataset and the sizing field in use; runs come in an order in which each is needed once.
+class Surfaces {
+ public:
+  const Dataset& dataset(const RunRequest& request, Monitor& monitor) {
+    if (dataset_.surface == nullptr || name_ != request.dataset) {
+      field_.reset();
+      name_ = request.dataset;
+      dataset_ = load_dataset(request.dataset, monitor);
+    }
+    if (dataset_.checksum != request.dataset_checksum) {
+      throw DataError("dataset '" + request.dataset + "' is no longer the one that was meshed; run it again instead");
+    }
+    return dataset_;
+  }
+  const SizingField& field(const RunRequest& request, Monitor& monitor) {
+    const std::string key = fmt::format("{} {}", sizing_text(request.sizing), request.sizing.floor);
+    if (!field_ || key_ != key) {
+      field_.emplace(make_sizing_field(*dataset(request, monitor).surface, request.sizing, monitor));
+      key_ = key;
+    }
+    return *field_;
+  }
+
+ private:
+  std::string name_;
+  Dataset dataset_;
+  std::string key_;
+  std::optional<SizingField> field_;
+};
+
+TriangleMesh stored_mesh(const fs::path& path, const RunRecord& record) {
+  if (!fs::exists(path)) throw DataError("mesh.vtp is missing; run it again");
+  TriangleMesh mesh = read_mesh(path);
+  if (!record.mesh_checksum.empty() && checksum(mesh) != record.mesh_checksum) {
+    throw DataError("mesh.vtp is not the mesh that its record is of (their checksums differ); run it again");
+  }
+  return mesh;
+}
+
+// By this program's metrics; the mesh in the world gets the new arrays, its coordinates stay to the last bit.
+void measure_again(RunRecord& record, TriangleMesh& mesh, Surfaces& surfaces, Monitor& monitor) {
+  const RunRequest& request = record.request;
+  const Dataset& dataset = surfaces.dataset(request, monitor);
+  const SizingField& sizing = surfaces.field(request, monitor);
+  TriangleMesh local = to_local(mesh, dataset.surface->lattice());
+  record.measurement = measure(local, *dataset.surface, sizing, request.reference_k, monitor);
+  record.sizing = SizingRecord{sizing.uniform(), sizing.floor_length(), sizing.smallest(), sizing.largest()};
+  record.measured_again = measured_now();
+  mesh.vertex_data = std::move(local.vertex_data);
+  mesh.triangle_data = std::move(local.triangle_data);
+}
+
+// The same run as the metrics of this program name it.
+RunRequest renamed(RunRequest request) {
+  request.metrics_revision = metrics_revision;
+  request.run = run_name(request);
+  return request;
+}
+
+void copy_others(const fs::path& from, const fs::path& to) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const fs::path name = entry.path().filename();
+    if (name != "run.json" && name != "mesh.vtp") fs::copy(entry.path(), to / name, fs::copy_options::recursive);
+  }
+}
+
+class Remeasuring {
+ public:
+  Remeasuring(const fs::path& folder, Console& console) : store_(folder), console_(console) {}
+
+  void run(const RunRecord& record) {
+    const std::string run = record.request.run;
+    if (record.status != Status::ok) {
+      ++summary.without_mesh;
+      return;
+    }
+    try {
+      ++(replace(record.request) ? summary.measured : summary.elsewhere);
+    } catch (const std::exception& error) {
+      ++summary.failed;
+      console_.line(run + ": kept as it was: " + error.what());
+    }
+  }
+
+  RemeasureSummary summary;
+
+ private:
+  bool replace(const RunRequest& planned) {
+    ConsoleSink sink(console_);
+    Monitor monitor(&sink);
+    const RunRequest request = renamed(planned);
+    std::optional<Claim> claim = store_.claim(request);
+    if (!claim) {
+      console_.line(request.run + ": left to another process that is at it");
+      return false;
+    }
+    const fs::path old = store_.folder() / planned.run;
+    RunRecord record = read_record(old / "run.json");  // as it is now that nobody else changes it
+    TriangleMesh mesh = stored_mesh(old / "mesh.vtp", record);
+    measure_again(record, mesh, surfaces_, monitor);
+    record.request = request;
+    copy_others(old, claim->folder());
+    write_mesh(mesh, claim->folder() / "mesh.vtp");
+    write_record(record, claim->folder() / "run.json");
+    claim->commit();
+    if (planned.run != request.run) fs::remove_all(old);
+    console_.detail(request.run + ": measured");
+    return true;
+  }
+
+  Store store_;
+  Console& console_;
+  Surfaces surfaces_;
+};
+
+}  // namespace
+
+RemeasureSummary remeasure(const fs::path& folder, Console& console) {
+  Results results = load_results(folder);
+  std::stable_sort(results.records.begin(), results.records.end(), [](const RunRecord& a, const RunRecord& b) {
+    const auto key = [](const RunRecord& r) { return std::pair(r.request.dataset, sizing_text(r.request.sizing)); };
+    return key(a) < key(b);
+  });
+  Remeasuring remeasuring(folder, console);
+  for (const RunRecord& record : results.records) remeasuring.run(record);
+  for (const std::string& sentence : results.unreadable) console.line(sentence);
+  remeasuring.summary.failed += static_cast<int>(results.unreadable.size());
+  const FileLock lock = lock_results(folder);
+  const fs::path plan_path = folder / "plan.json";
+  std::vector<RunRequest> plan = plan_from_json(read_text(plan_path), plan_path.string());
+  std::transform(plan.begin(), plan.end(), plan.begin(), renamed);
+  write_text(plan_path, [&plan](std::ostream& file) { write_plan(file, plan); });
+  console.clear();
+  return remeasuring.summary;
+}
+
+}  // namespace isobench

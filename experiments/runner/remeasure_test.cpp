@@ -1,0 +1,150 @@
+// `isobench measure` of a results folder.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "isobench/experiments/command_line/test_program.h"
+#include "isobench/experiments/plan/plan.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/reports/record/figures.h"
+#include "isobench/reports/runs/results.h"
+
+namespace isobench {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Remeasure : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("x.toml", R"(dataset = ["sphere", "slab"]
+[sampling]
+epsilon = 1.0
+delta = 0.5
+[[method]]
+name = "marching-cubes"
+)");
+    const Outcome outcome = run_program(folder_.path(), {"run", "x.toml", "-q"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  fs::path results() const { return folder_.path() / "results" / "x"; }
+  Outcome measure(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"measure", "results/x"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(folder_.path(), arguments);
+  }
+  RunRecord record(std::size_t index) const { return load_results(results()).records.at(index); }
+  fs::path run(std::size_t index) const { return results() / record(index).request.run; }
+
+  TestFolder folder_;
+};
+
+// Unlike the figures as a whole these do not hang on the last bits, which going through the world costs.
+void expect_same_figures(const Measurement& a, const Measurement& b) {
+  std::map<std::string, double> figures;
+  visit_figures(a, [&figures](const char* name, const auto& value) { figures[name] = static_cast<double>(value); });
+  visit_figures(b, [&figures](const char* name, const auto& value) {
+    // 1e-9 mm of coordinates around 20 mm are some thousand units in their last place.
+    const double known = figures[name];
+    if (std::isnan(known)) return;
+    EXPECT_NEAR(static_cast<double>(value), known, 1e-9) << name;
+  });
+}
+
+TEST_F(Remeasure, TakesEveryFigureAgainAndKeepsWhatTheMeshTook) {
+  const RunRecord before = record(0);
+  RunRecord wrong = before;
+  wrong.measurement->radius_ratio.min = 7.0;
+  wrong.measurement->topology.euler = 99;
+  write_record(wrong, run(0) / "run.json");
+  const Outcome outcome = measure();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("2 measured"), std::string::npos) << outcome.err;
+  const RunRecord after = record(0);
+  expect_same_figures(*before.measurement, *after.measurement);
+  EXPECT_EQ(after.measurement->radius_ratio.histogram.counts, before.measurement->radius_ratio.histogram.counts);
+  EXPECT_EQ(after.seconds_total, before.seconds_total);
+  EXPECT_EQ(after.started, before.started);
+  EXPECT_EQ(after.stages.size(), before.stages.size());
+  EXPECT_EQ(after.mesh_checksum, before.mesh_checksum);
+  EXPECT_FALSE(before.measured_again.has_value());
+  ASSERT_TRUE(after.measured_again.has_value());
+  EXPECT_EQ(after.measured_again->commit, before.environment.commit);
+  EXPECT_TRUE(fs::exists(run(0) / "log.txt"));
+  EXPECT_EQ(text_of(results() / "results.csv").find(",99,"), std::string::npos);
+  // Nothing is left to do afterwards, and nothing lies about.
+  const Outcome plan = run_program(folder_.path(), {"run", "x.toml", "--dry-run"});
+  EXPECT_NE(plan.out.find(": 2 done"), std::string::npos) << plan.out;
+  for (const auto& entry : fs::directory_iterator(results())) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_FALSE(name.starts_with(".tmp-") || name.starts_with(".old-")) << name;
+  }
+}
+
+TEST_F(Remeasure, PutsTheArraysIntoTheMeshAgainAndMovesNoVertex) {
+  TriangleMesh mesh = read_mesh(run(0) / "mesh.vtp");
+  const TriangleMesh before = mesh;
+  mesh.vertex_data.clear();
+  write_mesh(mesh, run(0) / "mesh.vtp");
+  EXPECT_EQ(measure().code, 0);
+  const TriangleMesh after = read_mesh(run(0) / "mesh.vtp");
+  EXPECT_EQ(after.vertices, before.vertices);
+  EXPECT_EQ(after.vertex_data.at("valence"), before.vertex_data.at("valence"));
+  EXPECT_EQ(after.triangle_data.at("radius_ratio").size(), before.triangles.size());
+}
+
+TEST_F(Remeasure, AMeshThatIsNotItsRecordsIsLeftAlone) {
+  TriangleMesh mesh = read_mesh(run(0) / "mesh.vtp");
+  mesh.vertices[0].x() += 1e-6;
+  write_mesh(mesh, run(0) / "mesh.vtp");
+  fs::remove(run(1) / "mesh.vtp");
+  const std::string before = text_of(run(0) / "run.json");
+  const Outcome outcome = measure();
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("their checksums differ"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("mesh.vtp is missing"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("0 measured, 2 kept as they were"), std::string::npos) << outcome.err;
+  EXPECT_EQ(text_of(run(0) / "run.json"), before);
+}
+
+TEST_F(Remeasure, RunsOfAnEarlierMetricsRevisionTakeTheNameOfThisOne) {
+  // What a program with other metrics would have left behind.
+  std::vector<RunRequest> plan;
+  for (RunRecord old : load_results(results()).records) {
+    const fs::path from = results() / old.request.run;
+    old.request.metrics_revision = metrics_revision + 1000;
+    old.request.run = run_name(old.request);
+    write_record(old, from / "run.json");
+    fs::rename(from, results() / old.request.run);
+    plan.push_back(old.request);
+  }
+  write_text(results() / "plan.json", plan_to_json(plan));
+  EXPECT_NE(run_program(folder_.path(), {"run", "x.toml", "--dry-run"}).out.find(": 2 to do"), std::string::npos);
+  EXPECT_EQ(measure().code, 0);
+  EXPECT_NE(run_program(folder_.path(), {"run", "x.toml", "--dry-run"}).out.find(": 2 done"), std::string::npos);
+  EXPECT_EQ(load_results(results()).records.size(), 2U);
+  EXPECT_FALSE(fs::exists(results() / plan[0].run));
+}
+
+TEST_F(Remeasure, UnfinishedRunsHaveNothingToMeasure) {
+  RunRecord failed = record(1);
+  failed.status = Status::failed;
+  failed.reason = "ended by SIGSEGV";
+  failed.measurement.reset();
+  write_record(failed, run(1) / "run.json");
+  const Outcome outcome = measure();
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("1 measured, 1 without a mesh"), std::string::npos) << outcome.err;
+  EXPECT_EQ(record(1).reason, "ended by SIGSEGV");
+}
+
+TEST_F(Remeasure, IsOfAFolderOrOfAFileWithItsDataset) {
+  EXPECT_EQ(measure({"--dataset", "sphere"}).code, 2);
+  EXPECT_EQ(run_program(folder_.path(), {"measure", "results"}).code, 3);
+  const Outcome without = run_program(folder_.path(), {"measure", (run(0) / "mesh.vtp").string()});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_NE(without.err.find("--dataset"), std::string::npos) << without.err;
+}
+
+}  // namespace
+}  // namespace isobench

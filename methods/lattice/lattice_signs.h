@@ -1,0 +1,64 @@
+// Which nodes of a lattice are inside, as one bit a node: what marching cubes needs of a volume.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+
+namespace isobench {
+
+/// Rows of bits along x, 64 nodes a word; bits beyond a row's end are 0.
+class LatticeSigns {
+ public:
+  using Word = std::uint64_t;
+
+  /// f > 0 at every node, from Isosurface::node_values.
+  LatticeSigns(const Isosurface& surface, const Monitor& monitor);
+
+  int nx() const { return size_[0]; }
+  int ny() const { return size_[1]; }
+  int nz() const { return size_[2]; }
+  int words() const { return words_; }
+
+  Word word(int w, int j, int k) const { return w < words_ ? bits_[row(j, k) + static_cast<std::size_t>(w)] : 0; }
+  /// The signs of nodes 64w + 1 … 64w + 64: those of the far ends of x-edges.
+  Word next(int w, int j, int k) const { return word(w, j, k) >> 1 | word(w + 1, j, k) << 63; }
+  unsigned bit(int i, int j, int k) const { return word(i / 64, j, k) >> (i % 64) & 1U; }
+
+  /// Which x-, y- and z-edges that start in word w of a row are crossed; j + 1 or k + 1 must exist.
+  Word x_crossings(int w, int j, int k) const { return (word(w, j, k) ^ next(w, j, k)) & edge_mask(w); }
+  Word y_crossings(int w, int j, int k) const { return word(w, j, k) ^ word(w, j + 1, k); }
+  Word z_crossings(int w, int j, int k) const { return word(w, j, k) ^ word(w, j, k + 1); }
+  /// Which cells that start in word w of a row have corners on both sides.
+  Word crossed_cells(int w, int j, int k) const;
+  /// The signs of a cell's corners in VTK's order of a hexahedron: bit n is corner n.
+  unsigned cell_case(int i, int j, int k) const;
+
+ private:
+  std::size_t row(int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(j)) *
+           static_cast<std::size_t>(words_);
+  }
+  /// All nodes but the row's last have an x-edge and a cell.
+  Word edge_mask(int w) const {
+    const int left = size_[0] - 1 - 64 * w;
+    return left >= 64 ? ~Word{0} : left <= 0 ? Word{0} : (Word{1} << left) - 1;
+  }
+
+  std::array<int, 3> size_;
+  int words_;
+  std::vector<Word> bits_;
+};
+
+/// Calls visit(i) for every set bit of word w, in order.
+template <typename Visit>
+void for_each_bit(LatticeSigns::Word word, int w, Visit&& visit) {
+  for (; word != 0; word &= word - 1) visit(64 * w + std::countr_zero(word));
+}
+
+}  // namespace isobench

@@ -1,0 +1,115 @@
+#include "isobench/methods/mesh/self_intersections.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "isobench/methods/mesh/box_tree.h"
+
+namespace isobench {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Pair = std::array<std::uint32_t, 2>;
+
+Point point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Which corners two triangles have in common.
+struct Shared {
+  int count = 0;
+  std::array<int, 3> in_first{};   ///< corner of the first triangle
+  std::array<int, 3> in_second{};  ///< the same vertex's corner in the second
+};
+
+Shared shared_corners(const Triangle& a, const Triangle& b) {
+  Shared shared;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (a[static_cast<std::size_t>(i)] != b[static_cast<std::size_t>(j)]) continue;
+      shared.in_first[static_cast<std::size_t>(shared.count)] = i;
+      shared.in_second[static_cast<std::size_t>(shared.count)] = j;
+      ++shared.count;
+      break;  // the corners of a triangle with area are three vertices
+    }
+  }
+  return shared;
+}
+
+class IntersectionTest {
+ public:
+  explicit IntersectionTest(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  bool operator()(std::uint32_t first, std::uint32_t second) const {
+    const Triangle& a = mesh_.triangles[first];
+    const Triangle& b = mesh_.triangles[second];
+    const Shared shared = shared_corners(a, b);
+    if (shared.count == 0) return CGAL::do_intersect(triangle(a), triangle(b));
+    if (shared.count == 1) {
+      return opposite_edge_meets(a, shared.in_first[0], b) || opposite_edge_meets(b, shared.in_second[0], a);
+    }
+    if (shared.count == 2) return folded(a, b, shared);
+    return true;
+  }
+
+ private:
+  Point corner(const Triangle& t, int i) const { return point(mesh_.vertices[t[static_cast<std::size_t>(i % 3)]]); }
+  Kernel::Triangle_3 triangle(const Triangle& t) const { return {corner(t, 0), corner(t, 1), corner(t, 2)}; }
+
+  bool opposite_edge_meets(const Triangle& t, int i, const Triangle& other) const {
+    return CGAL::do_intersect(triangle(other), Kernel::Segment_3(corner(t, i + 1), corner(t, i + 2)));
+  }
+
+  /// Two triangles on one edge overlap only where they lie in one plane, on the same side of the edge.
+  bool folded(const Triangle& a, const Triangle& b, const Shared& shared) const {
+    const Point p = corner(a, shared.in_first[0]);
+    const Point q = corner(a, shared.in_first[1]);
+    const Point r = corner(a, 3 - shared.in_first[0] - shared.in_first[1]);
+    const Point s = corner(b, 3 - shared.in_second[0] - shared.in_second[1]);
+    return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
+  }
+
+  const TriangleMesh& mesh_;
+};
+
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh) {
+  std::vector<std::uint8_t> has_area(mesh.triangles.size());
+  tbb::parallel_for(std::size_t{0}, has_area.size(), [&](std::size_t t) {
+    const Triangle& c = mesh.triangles[t];
+    has_area[t] = static_cast<std::uint8_t>(
+        !CGAL::collinear(point(mesh.vertices[c[0]]), point(mesh.vertices[c[1]]), point(mesh.vertices[c[2]])));
+  });
+  std::vector<std::uint32_t> triangles;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (has_area[t] == 0) continue;
+    triangles.push_back(t);
+    boxes.emplace_back();
+    for (const std::uint32_t v : mesh.triangles[t]) boxes.back().extend(mesh.vertices[v]);
+  }
+  const BoxTree tree(boxes);
+  const IntersectionTest meet(mesh);
+  tbb::enumerable_thread_specific<std::vector<Pair>> found;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size(), 256), [&](const auto& range) {
+    std::vector<Pair>& mine = found.local();
+    for (std::size_t place = range.begin(); place < range.end(); ++place) {
+      tree.overlapping_later(place, [&](std::uint32_t m, std::uint32_t n) {
+        const Pair pair{triangles[std::min(m, n)], triangles[std::max(m, n)]};
+        if (meet(pair[0], pair[1])) mine.push_back(pair);
+      });
+    }
+  });
+  std::vector<Pair> pairs;
+  for (const std::vector<Pair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace isobench

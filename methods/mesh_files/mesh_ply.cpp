@@ -1,0 +1,238 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "isobench/methods/mesh_files/mesh_bytes.h"
+#include "isobench/methods/mesh_files/mesh_formats.h"
+#include "isobench/methods/mesh_files/mesh_text.h"
+
+namespace isobench {
+
+namespace {
+
+enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::f32;
+  std::optional<PlyType> count_type;  ///< of a list
+};
+
+struct PlyElement {
+  std::string name;
+  long count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  std::string format;
+  std::vector<PlyElement> elements;
+};
+
+/// The values of a PLY file's body one after another, in text or binary.
+class PlyBody {
+ public:
+  PlyBody(std::string_view bytes, const std::string& format, std::filesystem::path path)
+      : bytes_(bytes),
+        path_(std::move(path)),
+        text_(format == "ascii"),
+        order_(format == "binary_big_endian" ? std::endian::big : std::endian::little) {}
+
+  double next(PlyType type) {
+    if (text_) return next_word();
+    static constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
+    if (bytes_.size() < kSizes[static_cast<std::size_t>(type)]) truncated();
+    switch (type) {
+      case PlyType::i8:
+        return take_number<std::int8_t>(bytes_);
+      case PlyType::u8:
+        return take_number<std::uint8_t>(bytes_);
+      case PlyType::i16:
+        return take_number<std::int16_t>(bytes_, order_);
+      case PlyType::u16:
+        return take_number<std::uint16_t>(bytes_, order_);
+      case PlyType::i32:
+        return take_number<std::int32_t>(bytes_, order_);
+      case PlyType::u32:
+        return take_number<std::uint32_t>(bytes_, order_);
+      case PlyType::f32:
+        return take_number<float>(bytes_, order_);
+      case PlyType::f64:
+        break;
+    }
+    return take_number<double>(bytes_, order_);
+  }
+
+ private:
+  double next_word() {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlanks), bytes_.size()));
+    const std::string_view word = bytes_.substr(0, bytes_.find_first_of(kBlanks));
+    if (word.empty()) truncated();
+    bytes_.remove_prefix(word.size());
+    const std::optional<double> number = to_number(word);
+    if (!number) bad_mesh(path_, fmt::format("'{}' stands where a number should", word));
+    return *number;
+  }
+  [[noreturn]] void truncated() const { bad_mesh(path_, "ends before all that its header announces; it is truncated"); }
+
+  std::string_view bytes_;
+  std::filesystem::path path_;
+  bool text_;
+  std::endian order_;
+};
+
+PlyType to_type(const TextLines& lines, std::size_t word) {
+  static constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames{{{"char", PlyType::i8},
+                                                                                {"uchar", PlyType::u8},
+                                                                                {"short", PlyType::i16},
+                                                                                {"ushort", PlyType::u16},
+                                                                                {"int", PlyType::i32},
+                                                                                {"uint", PlyType::u32},
+                                                                                {"float", PlyType::f32},
+                                                                                {"double", PlyType::f64},
+                                                                                {"int8", PlyType::i8},
+                                                                                {"uint8", PlyType::u8},
+                                                                                {"int16", PlyType::i16},
+                                                                                {"uint16", PlyType::u16},
+                                                                                {"int32", PlyType::i32},
+                                                                                {"uint32", PlyType::u32},
+                                                                                {"float32", PlyType::f32},
+                                                                                {"float64", PlyType::f64}}};
+  if (word >= lines.words().size()) lines.fail("a type is missing in the header");
+  for (const auto& [name, type] : kNames) {
+    if (name == lines.words()[word]) return type;
+  }
+  lines.fail(fmt::format("'{}' is no type of PLY", lines.words()[word]));
+}
+
+PlyProperty read_property(const TextLines& lines) {
+  const std::vector<std::string_view>& words = lines.words();
+  PlyProperty property;
+  const bool list = words.size() > 1 && words[1] == "list";
+  if (words.size() != (list ? 5U : 3U)) lines.fail("a property line has too few or too many words");
+  if (list) property.count_type = to_type(lines, 2);
+  property.type = to_type(lines, list ? 3 : 1);
+  property.name = words.back();
+  return property;
+}
+
+PlyHeader read_header(std::string_view text, const std::filesystem::path& path) {
+  PlyHeader header;
+  TextLines lines(text, path);
+  lines.next();  // "ply"
+  while (lines.next()) {
+    const std::vector<std::string_view>& words = lines.words();
+    if (words[0] == "format" && words.size() == 3) {
+      header.format = words[1];
+    } else if (words[0] == "element" && words.size() == 3) {
+      header.elements.push_back({std::string(words[1]), lines.integer(2), {}});
+      if (header.elements.back().count < 0) lines.fail("counts cannot be negative");
+    } else if (words[0] == "property" && !header.elements.empty()) {
+      header.elements.back().properties.push_back(read_property(lines));
+    } else if (words[0] != "comment" && words[0] != "obj_info") {
+      lines.fail(fmt::format("'{}' does not belong here in a PLY header", words[0]));
+    }
+  }
+  if (header.format != "ascii" && header.format != "binary_little_endian" && header.format != "binary_big_endian") {
+    bad_mesh(path, fmt::format("the format '{}' is none of PLY", header.format));
+  }
+  return header;
+}
+
+void read_vertices(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, TriangleMesh& mesh) {
+  constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+  std::array<int, 3> found{};
+  for (const PlyProperty& property : element.properties) {
+    if (property.count_type) bad_mesh(path, "vertices with lists cannot be read");
+    for (std::size_t axis = 0; axis < 3; ++axis) found[axis] += property.name == kAxes[axis] ? 1 : 0;
+  }
+  if (found != std::array<int, 3>{1, 1, 1}) bad_mesh(path, "its vertices do not have the properties x, y and z");
+  for (long v = 0; v < element.count; ++v) {
+    Eigen::Vector3d& vertex = mesh.vertices.emplace_back();
+    for (const PlyProperty& property : element.properties) {
+      const double value = body.next(property.type);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (property.name == kAxes[static_cast<std::size_t>(axis)]) vertex[axis] = value;
+      }
+    }
+  }
+}
+
+void read_faces(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, TriangleMesh& mesh) {
+  for (long t = 0; t < element.count; ++t) {
+    bool found = false;
+    for (const PlyProperty& property : element.properties) {
+      const double count = property.count_type ? body.next(*property.count_type) : 1.0;
+      if (!property.count_type || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+        for (double n = 0; n < count; ++n) body.next(property.type);
+        continue;
+      }
+      if (count != 3.0) bad_mesh(path, "holds polygons other than triangles");
+      Triangle& triangle = mesh.triangles.emplace_back();
+      for (std::uint32_t& corner : triangle) corner = to_index(body.next(property.type));
+      found = true;
+    }
+    if (!found) bad_mesh(path, "its faces do not have the property vertex_indices");
+  }
+}
+
+void skip(const PlyElement& element, PlyBody& body) {
+  // Without properties there is nothing to skip, however many the header claims.
+  for (long n = 0; n < element.count && !element.properties.empty(); ++n) {
+    for (const PlyProperty& property : element.properties) {
+      const double count = property.count_type ? body.next(*property.count_type) : 1.0;
+      for (double m = 0; m < count; ++m) body.next(property.type);
+    }
+  }
+}
+
+}  // namespace
+
+TriangleMesh read_ply(const std::filesystem::path& path) {
+  const std::string file = read_bytes(path);
+  const std::string_view bytes = file;
+  if (!bytes.starts_with("ply\n") && !bytes.starts_with("ply\r")) {
+    bad_mesh(path, "is no PLY file: it does not start with the word ply");
+  }
+  const std::size_t end = bytes.find("end_header");
+  const std::size_t body_start = end == std::string_view::npos ? end : bytes.find('\n', end);
+  if (body_start == std::string_view::npos) bad_mesh(path, "ends within its header; it is truncated");
+  const PlyHeader header = read_header(bytes.substr(0, end), path);
+
+  PlyBody body(bytes.substr(body_start + 1), header.format, path);
+  TriangleMesh mesh;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") {
+      read_vertices(element, body, path, mesh);
+    } else if (element.name == "face") {
+      read_faces(element, body, path, mesh);
+    } else {
+      skip(element, body);
+    }
+  }
+  return mesh;
+}
+
+void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment lengths in mm\nelement vertex {}\nproperty double x\n"
+      "property double y\nproperty double z\nelement face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+      mesh.vertices.size(), mesh.triangles.size());
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) put_number(bytes, vertex[axis]);
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    put_number(bytes, std::uint8_t{3});
+    for (const std::uint32_t corner : triangle) put_number(bytes, corner);
+  }
+  write_bytes(bytes, path);
+}
+
+}  // namespace isobench

@@ -1,0 +1,68 @@
+#include "isobench/methods/mesh_files/mesh_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "isobench/foundation/error.h"
+
+namespace isobench {
+
+namespace {
+
+template <typename Number>
+std::optional<Number> parse(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);  // which from_chars does not take
+  Number value{};
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<double> to_number(std::string_view word) { return parse<double>(word); }
+std::optional<long> to_integer(std::string_view word) { return parse<long>(word); }
+
+bool TextLines::next() {
+  constexpr std::string_view kBlanks = " \t\r\v\f";
+  words_.clear();
+  while (words_.empty() && !text_.empty()) {
+    const std::size_t end = std::min(text_.find('\n'), text_.size());
+    std::string_view line = text_.substr(0, end);
+    text_.remove_prefix(std::min(end + 1, text_.size()));
+    ++line_;
+    line = line.substr(0, line.find('#'));
+    for (std::size_t from = line.find_first_not_of(kBlanks); from != std::string_view::npos;) {
+      const std::size_t to = std::min(line.find_first_of(kBlanks, from), line.size());
+      words_.push_back(line.substr(from, to - from));
+      from = line.find_first_not_of(kBlanks, to);
+    }
+  }
+  return !words_.empty();
+}
+
+void TextLines::fail(const std::string& message) const {
+  throw DataError(fmt::format("{}:{}: {}", path_.string(), line_, message));
+}
+
+double TextLines::number(std::size_t n) const {
+  const std::optional<double> value = n < words_.size() ? to_number(words_[n]) : std::nullopt;
+  if (!value) fail(n < words_.size() ? fmt::format("'{}' is not a number", words_[n]) : "a number is missing");
+  return *value;
+}
+
+long TextLines::integer(std::size_t n) const {
+  const std::optional<long> value = n < words_.size() ? to_integer(words_[n]) : std::nullopt;
+  if (!value) fail(n < words_.size() ? fmt::format("'{}' is not an integer", words_[n]) : "an integer is missing");
+  return *value;
+}
+
+std::uint32_t to_index(double value) {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  return value >= 0.0 && value < none && value == std::floor(value) ? static_cast<std::uint32_t>(value) : none;
+}
+
+}  // namespace isobench

@@ -1,0 +1,58 @@
+#include "isobench/methods/particles/cure/lattice_components.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace isobench::particles {
+
+namespace {
+
+// Each as far as possible from those before it: as many as enclose a small body.
+std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) {
+  constexpr std::size_t enough = 16;
+  std::vector<Eigen::Vector3d> chosen = {points.front()};
+  std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
+  while (chosen.size() < std::min(enough, points.size())) {
+    for (std::size_t n = 0; n < points.size(); ++n)
+      distance[n] = std::min(distance[n], (points[n] - chosen.back()).norm());
+    const auto farthest = std::max_element(distance.begin(), distance.end());
+    if (*farthest <= 0.0) break;
+    chosen.push_back(points[static_cast<std::size_t>(farthest - distance.begin())]);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+LatticeComponents::LatticeComponents(const TriangleMesh& mesh) : mesh_(mesh), of_vertex_(component_roots(mesh)) {
+  const auto differs = [this](std::uint32_t root) { return root != of_vertex_.front(); };
+  if (std::any_of(of_vertex_.begin(), of_vertex_.end(), differs)) tree_.emplace(mesh.vertices);
+}
+
+std::vector<std::uint32_t> LatticeComponents::of(const std::vector<Eigen::Vector3d>& points) const {
+  if (!tree_) return std::vector<std::uint32_t>(points.size(), of_vertex_.empty() ? 0 : of_vertex_.front());
+  std::vector<std::uint32_t> result(points.size());
+  tbb::parallel_for(std::size_t{0}, points.size(),
+                    [&](std::size_t n) { result[n] = of_vertex_[tree_->nearest(points[n]).first]; });
+  return result;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> LatticeComponents::without(const std::vector<std::uint32_t>& of_points,
+                                                                     const std::vector<char>& used) const {
+  std::vector<char> met(of_vertex_.size(), 0);
+  for (std::size_t n = 0; n < of_points.size(); ++n) {
+    if (used[n] != 0) met[of_points[n]] = 1;
+  }
+  std::map<std::uint32_t, std::vector<Eigen::Vector3d>> members;
+  for (std::size_t n = 0; n < of_vertex_.size(); ++n) {
+    if (met[of_vertex_[n]] == 0) members[of_vertex_[n]].push_back(mesh_.vertices[n]);
+  }
+  std::vector<std::vector<Eigen::Vector3d>> result;
+  for (const auto& [component, vertices] : members) result.push_back(spread(vertices));
+  return result;
+}
+
+}  // namespace isobench::particles

@@ -1,0 +1,132 @@
+#include "isobench/methods/particles/finish/finish.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "isobench/methods/mesh/self_intersections.h"
+#include "isobench/methods/particles/finish/patch.h"
+#include "isobench/methods/particles/finish/smoothing.h"
+#include "isobench/methods/particles/finish/valence_edits.h"
+
+namespace isobench::particles {
+
+namespace {
+
+EditableMesh editable(const Isosurface& surface, const TriangleMesh& mesh) {
+  std::vector<Eigen::Vector3d> normals(mesh.vertices.size());
+  tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t v) {
+    normals[v] = outward_normal(surface.value_gradient(mesh.vertices[v]).gradient);
+  });
+  return {mesh.vertices, std::move(normals), mesh.triangles};
+}
+
+constexpr ShapeEnergy average_shape{0};
+constexpr int sweeps_a_round = 2;
+constexpr int last_sweeps = 4;
+
+/// Searches wider where narrower did not help: the last ones are dear, but there is hardly ever a place left for them.
+constexpr std::array<PatchSearch, 10> searches{
+    {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
+
+void improve_tail(const MeshGround& ground, EditableMesh& mesh, Monitor& monitor) {
+  for (const PatchSearch& search : searches) {
+    monitor.check();
+    const std::size_t improved = improve_bad_places(ground, mesh, ShapeGoal{}, search);
+    monitor.trace("finish/places improved", static_cast<double>(improved));
+  }
+  monitor.set("finish/places left", static_cast<double>(count_bad_places(ground, mesh, ShapeGoal{})));
+}
+
+void improve_everywhere(const MeshGround& ground, EditableMesh& edited, int rounds, Monitor& monitor) {
+  for (int round = 0; round < rounds; ++round) {
+    monitor.progress(static_cast<double>(round) / static_cast<double>(rounds + 2));
+    {
+      const auto stage = monitor.stage("connectivity");
+      monitor.add("finish/collapsed", static_cast<double>(collapse_low_valence(ground, edited)));
+      monitor.add("finish/divided", static_cast<double>(split_high_valence(ground, edited)));
+      monitor.add("finish/flipped", static_cast<double>(flip_for_valence(ground, edited)));
+    }
+    const auto stage = monitor.stage("shape");
+    smooth(ground, edited, average_shape, sweeps_a_round);
+  }
+  {
+    const auto stage = monitor.stage("shape");
+    smooth(ground, edited, average_shape, last_sweeps);
+    monitor.add("finish/flipped", static_cast<double>(flip_for_shape(ground, edited)));
+    smooth(ground, edited, ShapeEnergy{1}, last_sweeps);
+  }
+  {
+    const auto stage = monitor.stage("tail");
+    improve_tail(ground, edited, monitor);
+  }
+  project_all(ground.surface, edited);
+}
+
+using Meeting = std::array<std::uint32_t, 2>;
+
+// The pairs of triangles that meet, without those that were given so: whose corners are all kept.
+std::vector<Meeting> made_here(const EditableMesh& edited, const std::vector<std::uint8_t>& kept,
+                               const TriangleMesh& finished) {
+  std::vector<Meeting> pairs = self_intersections(finished);
+  if (pairs.empty()) return pairs;
+  std::vector<std::uint8_t> as_given;
+  for (EditableMesh::Index v = 0; v < edited.vertex_count(); ++v) {
+    if (edited.alive(v)) as_given.push_back(v < kept.size() ? kept[v] : 0);
+  }
+  const auto is_given = [&](std::uint32_t triangle) {
+    const Triangle& corners = finished.triangles[triangle];
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return as_given[c] != 0; });
+  };
+  std::erase_if(pairs, [&](const Meeting& pair) { return is_given(pair[0]) && is_given(pair[1]); });
+  return pairs;
+}
+
+// Marks the vertices of `mesh` within `reach` of a triangle of `other`.
+void mark_near(const TriangleMesh& mesh, const TriangleMesh& other, std::uint32_t triangle, double reach,
+               std::vector<std::uint8_t>& marks) {
+  Eigen::AlignedBox3d box;
+  for (const std::uint32_t corner : other.triangles[triangle]) box.extend(other.vertices[corner]);
+  for (std::size_t v = 0; v < marks.size(); ++v) {
+    if (box.squaredExteriorDistance(mesh.vertices[v]) <= reach * reach) marks[v] = 1;
+  }
+}
+
+double longest_edge(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const auto length = [&](std::uint32_t u, std::uint32_t v) { return (mesh.vertices[u] - mesh.vertices[v]).norm(); };
+  return std::max({length(a, b), length(b, c), length(c, a)});
+}
+
+}  // namespace
+
+TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
+                    Monitor& monitor) {
+  const MeshGround ground{surface, sizing};
+  std::vector<std::uint8_t> kept(mesh.vertices.size(), 0);  // of the given mesh: vertices that stay as they are
+  constexpr int rollbacks = 5;
+  for (int attempt = 0; attempt < rollbacks; ++attempt) {
+    EditableMesh edited = editable(surface, mesh);
+    for (EditableMesh::Index v = 0; v < kept.size(); ++v) {
+      if (kept[v] != 0) edited.fix(v);
+    }
+    improve_everywhere(ground, edited, rounds, monitor);
+    TriangleMesh finished = edited.triangle_mesh();
+    const auto stage = monitor.stage("intersections");
+    const std::vector<Meeting> made = made_here(edited, kept, finished);
+    if (made.empty()) return finished;
+    monitor.add("finish/intersections rolled back", static_cast<double>(made.size()));
+    for (const Meeting& pair : made) {
+      for (const std::uint32_t triangle : pair) {
+        mark_near(mesh, finished, triangle, std::exp2(attempt) * longest_edge(finished, triangle), kept);
+      }
+    }
+  }
+  return mesh;
+}
+
+}  // namespace isobench::particles

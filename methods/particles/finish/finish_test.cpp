@@ -1,0 +1,262 @@
+#include "isobench/methods/particles/finish/finish.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/mesh/sample_meshes.h"
+#include "isobench/methods/mesh/self_intersections.h"
+#include "isobench/methods/method.h"
+#include "isobench/methods/particles/finish/patch.h"
+#include "isobench/methods/particles/finish/shape_energy.h"
+
+namespace isobench::particles {
+namespace {
+
+struct Shape {
+  double least_q = 1.0;
+  double mean_q = 0.0;
+  double six = 0.0;  ///< share of vertices
+  std::size_t outside = 0;
+  double longest = 0.0;  ///< edge over h0
+};
+
+Shape shape_of(const TriangleMesh& mesh, const SizingField& sizing) {
+  Shape shape;
+  std::vector<int> valence(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    const double q = radius_ratio(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+    shape.least_q = std::min(shape.least_q, q);
+    shape.mean_q += q / static_cast<double>(mesh.triangles.size());
+    for (std::size_t c = 0; c < 3; ++c) {
+      ++valence[t[c]];
+      const Eigen::Vector3d& a = mesh.vertices[t[c]];
+      const Eigen::Vector3d& b = mesh.vertices[t[(c + 1) % 3]];
+      shape.longest = std::max(shape.longest, 2.0 * (a - b).norm() / (sizing.h0(a) + sizing.h0(b)));
+    }
+  }
+  for (const int v : valence) {
+    shape.six += v == 6 ? 1.0 / static_cast<double>(valence.size()) : 0.0;
+    shape.outside += v < 5 || v > 7 ? 1 : 0;
+  }
+  return shape;
+}
+
+struct Finished {
+  TriangleMesh mesh;
+  Shape shape;
+  double off = 0.0;  ///< voxels, the vertex farthest from F = c
+};
+
+Finished finished(const std::string& name, int nodes, const SizingRequest& request, int rounds = -1) {
+  const Isosurface surface(sample_phantom(phantom(name), nodes), 0.0);
+  const Method& particles = method("particles");
+  Parameters parameters(particles.parameters);
+  if (rounds >= 0) parameters.set(particles.parameters, "finish", static_cast<double>(rounds));
+  Monitor monitor;
+  const MeshingTask task(surface, request, parameters, 1);
+  Finished result{particles.mesh(task, monitor), {}, 0.0};
+  result.shape = shape_of(result.mesh, *task.sizing_field(monitor));
+  for (const Eigen::Vector3d& x : result.mesh.vertices) {
+    const Jet jet = surface.value_gradient(x);
+    result.off = std::max(result.off, std::abs(jet.value) / jet.gradient.norm() / surface.voxel());
+  }
+  return result;
+}
+
+SizingRequest adaptive(double epsilon) {
+  SizingRequest request;
+  request.epsilon = epsilon;
+  request.delta = 0.3;
+  return request;
+}
+
+SizingRequest matching(double vertices) {
+  SizingRequest request;
+  request.vertices = vertices;
+  return request;
+}
+
+// Lower bounds: what the four real volumes must reach, on phantoms.
+TEST(Finish, ReachesTheGoalUnderGradation) {
+  for (const char* name : {"torus", "ellipsoid", "rounded-box", "gyroid-ball"}) {
+    const Finished result = finished(name, 64, adaptive(0.25));
+    const MeshFacts facts = mesh_facts(result.mesh);
+    EXPECT_EQ(facts.euler, phantom(name).euler) << name;
+    EXPECT_EQ(facts.open_edges, 0U) << name;
+    EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;
+    EXPECT_GE(result.shape.least_q, 0.84) << name;
+    EXPECT_GE(result.shape.mean_q, 0.975) << name;
+    EXPECT_EQ(result.shape.outside, 0U) << name;
+    EXPECT_GE(result.shape.six, 0.7) << name;
+    EXPECT_LE(result.shape.longest, 1.0) << name;
+    EXPECT_LE(result.off, 1e-5) << name;  // Newton stops at 1e-6
+  }
+}
+
+TEST(Finish, ReachesTheGoalAtUniformSize) {
+  for (const char* name : {"sphere", "torus"}) {
+    const Finished before = finished(name, 48, matching(5000), 0);
+    const Finished after = finished(name, 48, matching(5000));
+    EXPECT_GE(after.shape.least_q, 0.88) << name;
+    EXPECT_GE(after.shape.mean_q, 0.985) << name;
+    EXPECT_GT(after.shape.mean_q, before.shape.mean_q) << name;
+    EXPECT_GE(after.shape.six, 0.8) << name;
+    EXPECT_EQ(after.shape.outside, 0U) << name;
+    EXPECT_NEAR(static_cast<double>(after.mesh.vertices.size()), 5000.0, 100.0) << name;
+  }
+}
+
+TEST(Finish, DoesNotDependOnThreads) {
+  std::vector<TriangleMesh> meshes;
+  for (const std::size_t threads : {1U, 2U, 4U}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    meshes.push_back(finished("gyroid-ball", 48, adaptive(0.35)).mesh);
+  }
+  for (const TriangleMesh& mesh : meshes) {
+    ASSERT_EQ(mesh.vertices.size(), meshes[0].vertices.size());
+    EXPECT_EQ(mesh.triangles, meshes[0].triangles);
+    EXPECT_EQ(
+        std::memcmp(mesh.vertices.data(), meshes[0].vertices.data(), mesh.vertices.size() * sizeof(Eigen::Vector3d)),
+        0);
+  }
+}
+
+// A ball with a hollow that comes close to its surface at the north pole. Triangles sag below the outer sheet by more
+// than the gap where they are as large as elsewhere; in this mesh they are smaller there, which the finish undoes.
+struct HollowBall {
+  static constexpr double outer = 10.0;
+  static constexpr double hollow = 8.0;
+  Eigen::Vector3d centre{15.0, 15.0, 15.0};
+  Eigen::Vector3d hollow_centre;
+  Isosurface surface;
+  TriangleMesh mesh;
+
+  HollowBall(double gap, double crowded)
+      : hollow_centre(centre + Eigen::Vector3d(0.0, 0.0, outer - hollow - gap)), surface(sampled(), 0.0) {
+    mesh = sample_meshes::icosphere(2);
+    for (Eigen::Vector3d& v : mesh.vertices) {
+      const double angle = std::acos(std::clamp(v.z(), -1.0, 1.0));
+      const double nearer = std::numbers::pi * std::pow(angle / std::numbers::pi, crowded);
+      const double round = std::hypot(v.x(), v.y());
+      const double scale = round > 1e-12 ? std::sin(nearer) / round : 0.0;
+      v = centre + outer * Eigen::Vector3d(v.x() * scale, v.y() * scale, std::cos(nearer));
+    }
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const TriangleMesh inner = sample_meshes::icosphere(3);
+    for (const Eigen::Vector3d& v : inner.vertices) mesh.vertices.emplace_back(hollow_centre + hollow * v);
+    for (const auto& [a, b, c] : inner.triangles) mesh.triangles.push_back({first + a, first + c, first + b});
+    for (Eigen::Vector3d& v : mesh.vertices) {
+      if (const auto foot = surface.project(v)) v = *foot;
+    }
+  }
+
+ private:
+  Volume sampled() const {
+    constexpr int nodes = 61;
+    Volume volume;
+    volume.lattice.size = {nodes, nodes, nodes};
+    volume.lattice.spacing = {0.5, 0.5, 0.5};
+    for (int k = 0; k < nodes; ++k) {
+      for (int j = 0; j < nodes; ++j) {
+        for (int i = 0; i < nodes; ++i) {
+          const Eigen::Vector3d x = 0.5 * Eigen::Vector3d(i, j, k);
+          volume.samples.push_back(
+              static_cast<float>(std::min(outer - (x - centre).norm(), (x - hollow_centre).norm() - hollow)));
+        }
+      }
+    }
+    return volume;
+  }
+};
+
+double rolled_back(const Monitor& monitor) {
+  const auto found = monitor.counters().find("finish/intersections rolled back");
+  return found == monitor.counters().end() ? 0.0 : found->second;
+}
+
+TEST(Finish, RollsBackWhereSheetsWouldMeet) {
+  const HollowBall ball(0.25, 1.3);
+  ASSERT_EQ(count_self_intersections(ball.mesh), 0U);
+  Monitor monitor;
+  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
+  EXPECT_GT(rolled_back(monitor), 0.0) << "nothing met: the ball is no test";
+  EXPECT_EQ(count_self_intersections(finished), 0U);
+  const MeshFacts facts = mesh_facts(finished);
+  EXPECT_EQ(facts.euler, 4);
+  EXPECT_EQ(facts.open_edges, 0U);
+  // Away from the pole it is finished all the same.
+  const auto mean_q = [&](const TriangleMesh& mesh) {
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      if (mesh.vertices[a].z() > ball.centre.z() || (mesh.vertices[a] - ball.centre).norm() < 9.5) continue;
+      sum += radius_ratio(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+      ++count;
+    }
+    return sum / count;
+  };
+  EXPECT_GT(mean_q(finished), mean_q(ball.mesh) + 0.003);
+}
+
+TEST(Finish, LeavesWhatMetBefore) {
+  const HollowBall ball(0.3, 1.2);
+  const std::size_t given = count_self_intersections(ball.mesh);
+  ASSERT_GT(given, 0U);
+  Monitor monitor;
+  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
+  EXPECT_LE(count_self_intersections(finished), given);
+  EXPECT_NE(finished.vertices, ball.mesh.vertices) << "what meets in one place must not keep all from being finished";
+}
+
+class FinishPatch : public testing::Test {
+ protected:
+  FinishPatch() : surface_(sample_phantom(phantom("sphere"), 32), 0.0), sizing_(0.25) {
+    const Method& particles = method("particles");
+    Monitor monitor;
+    const TriangleMesh mesh =
+        particles.mesh(MeshingTask(surface_, matching(500), Parameters(particles.parameters), 1), monitor);
+    std::vector<Eigen::Vector3d> normals;
+    for (const auto& x : mesh.vertices) normals.push_back(outward_normal(surface_.value_gradient(x).gradient));
+    mesh_ = EditableMesh(mesh.vertices, normals, mesh.triangles);
+  }
+
+  Isosurface surface_;
+  SizingField sizing_;
+  EditableMesh mesh_;
+};
+
+TEST_F(FinishPatch, PutBackUnchangedLeavesTheMesh) {
+  const TriangleMesh before = mesh_.triangle_mesh();
+  const std::vector<EditableMesh::Index> centres{17};
+  const Patch patch = cut_out(mesh_, centres, 3);
+  EXPECT_GT(patch.vertices.size(), 19U);
+  EXPECT_EQ(patch.core.size(), mesh_.valence(17) + 1U);
+  put_back(mesh_, patch);
+  const MeshFacts facts = mesh_facts(mesh_.triangle_mesh());
+  EXPECT_EQ(facts.euler, 2);
+  EXPECT_EQ(facts.open_edges, 0U);
+  EXPECT_EQ(mesh_.triangle_mesh().vertices, before.vertices);
+  for (EditableMesh::Index v = 0; v < mesh_.vertex_count(); ++v) EXPECT_TRUE(mesh_.movable(v));
+}
+
+// A vertex of valence 4 or so, made by splitting an edge, is what the search must find a way out of.
+TEST_F(FinishPatch, SearchMendsABadPlace) {
+  const MeshGround ground{surface_, sizing_};
+  ASSERT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
+  ASSERT_NE(split_in_the_middle(ground, mesh_, 100), EditableMesh::none);
+  ASSERT_GT(missed(ground, mesh_, ShapeGoal{}), 1.0);
+  EXPECT_EQ(improve_bad_places(ground, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
+  EXPECT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
+  EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).euler, 2);
+  EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).open_edges, 0U);
+}
+
+}  // namespace
+}  // namespace isobench::particles

@@ -1,0 +1,138 @@
+#include "isobench/methods/particles/finish/smoothing.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace isobench::particles {
+
+namespace {
+
+using Index = EditableMesh::Index;
+
+constexpr double at_rest = 5e-3;      // of the mean distance to the neighbours
+constexpr double largest_move = 0.3;  // of it
+
+}  // namespace
+
+bool gather_ring(const EditableMesh& mesh, Index v, Ring& ring) {
+  ring.size = 0;
+  Index e = mesh.out(v);
+  do {
+    if (ring.size == Ring::most) return false;
+    const Index to = mesh.target(e);
+    ring.points[ring.size] = mesh.points[to];
+    ring.normals[ring.size] = mesh.normals[to];
+    ++ring.size;
+    e = mesh.turn(e);
+  } while (e != mesh.out(v));
+  ring.points[ring.size] = ring.points[0];
+  ring.normals[ring.size] = ring.normals[0];
+  return true;
+}
+
+double improve_vertex(const MeshGround& ground, EditableMesh& mesh, Index v, ShapeEnergy energy) {
+  Ring ring;
+  if (!gather_ring(mesh, v, ring)) return 0.0;
+  const Eigen::Vector3d x = mesh.points[v];
+  const Eigen::Vector3d n = mesh.normals[v];
+  const Eigen::Vector3d u = n.unitOrthogonal();
+  const Eigen::Vector3d w = n.cross(u);
+  const EnergyJet jet = shape_energy(energy, ring, x, u, w);
+  Eigen::Vector2d step = newton_step(jet);
+  double scale = 0.0;
+  for (std::size_t k = 0; k < ring.size; ++k) scale += (ring.points[k] - x).norm();
+  scale /= static_cast<double>(ring.size);
+  double length = step.norm();
+  if (!std::isfinite(length) || length < 1e-5 * scale) return 0.0;
+  if (length > largest_move * scale) step *= largest_move * scale / length;
+
+  const FanState before = fan_state(energy, ring, x, n);
+  const double allowed = ground.sizing.uniform() ? least_cosine_uniform : least_cosine;
+  const double least = std::min(allowed, before.least_cosine);
+  for (int attempt = 0; attempt < 4; ++attempt, step *= 0.35) {
+    Eigen::Vector3d to = (x + step[0] * u + step[1] * w).cwiseMax(0.0).cwiseMin(ground.surface.extent());
+    const Jet at = ground.surface.value_gradient(to);
+    const double slope = at.gradient.norm();
+    const double off = slope > 0.0 ? at.value / slope : 0.0;
+    if (!(slope > 0.0) || std::abs(off) > largest_move * scale) continue;
+    to -= at.gradient * (off / slope);
+    const Eigen::Vector3d normal = -at.gradient / slope;
+    const FanState after = fan_state(energy, ring, to, normal);
+    if (after.energy >= before.energy || after.least_cosine < least) continue;
+    mesh.points[v] = to;
+    mesh.normals[v] = normal;
+    return (to - x).norm() / scale;
+  }
+  return 0.0;
+}
+
+std::vector<std::vector<Index>> colour(const EditableMesh& mesh) {
+  std::vector<std::vector<Index>> classes;
+  constexpr std::uint8_t unset = 255;
+  std::vector<std::uint8_t> colour_of(mesh.vertex_count(), unset);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (!mesh.movable(v)) continue;
+    std::uint64_t taken = 0;
+    Index e = mesh.out(v);
+    do {
+      const std::uint8_t other = colour_of[mesh.target(e)];
+      if (other != unset) taken |= std::uint64_t{1} << other;
+      e = mesh.turn(e);
+    } while (e != mesh.out(v));
+    std::uint8_t mine = 0;
+    while (mine < 64 && (taken >> mine & 1U) != 0) ++mine;
+    if (mine == 64) continue;  // a vertex of so many neighbours stays where it is
+    colour_of[v] = mine;
+    if (classes.size() <= mine) classes.resize(mine + std::size_t{1});
+    classes[mine].push_back(v);
+  }
+  return classes;
+}
+
+void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps) {
+  const auto classes = colour(mesh);
+  std::vector<std::uint8_t> moved(mesh.vertex_count(), 1);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (const auto& independent : classes) {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, independent.size(), 256), [&](const auto& range) {
+        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+          const Index v = independent[n];
+          bool stirred = moved[v] != 0;
+          for (Index e = mesh.turn(mesh.out(v)); !stirred; e = mesh.turn(e)) {
+            stirred = moved[mesh.target(e)] != 0;
+            if (e == mesh.out(v)) break;
+          }
+          if (stirred) moved[v] = improve_vertex(ground, mesh, v, energy) > at_rest ? 1 : 0;
+        }
+      });
+    }
+  }
+}
+
+void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+            std::span<const Index> vertices) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double most = 0.0;
+    for (const Index v : vertices) {
+      if (mesh.movable(v)) most = std::max(most, improve_vertex(ground, mesh, v, energy));
+    }
+    if (most < at_rest) return;
+  }
+}
+
+void project_all(const Isosurface& surface, EditableMesh& mesh) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.vertex_count(), 512), [&](const auto& range) {
+    for (std::size_t n = range.begin(); n < range.end(); ++n) {
+      const auto v = static_cast<Index>(n);
+      if (!mesh.movable(v)) continue;
+      const auto foot = surface.project(mesh.points[v]);
+      if (foot) mesh.points[v] = *foot;
+    }
+  });
+}
+
+}  // namespace isobench::particles

@@ -1,0 +1,74 @@
+#include "isobench/metrics/topology/topology.h"
+
+#include <algorithm>
+
+#include "isobench/foundation/union_find.h"
+#include "isobench/methods/mesh/self_intersections.h"
+#include "isobench/metrics/shape/mesh_edges.h"
+
+namespace isobench {
+
+namespace {
+
+/// Number of triangle 3t + i's corner at vertex `v`.
+std::uint32_t corner_at(const TriangleMesh& mesh, std::uint32_t triangle, std::uint32_t v) {
+  const Triangle& t = mesh.triangles[triangle];
+  return 3 * triangle + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
+}
+
+/// Joins the triangles, and where it is between two the corners, that meet at each edge; counts the edges by kind.
+std::size_t join_at_edges(const TriangleMesh& mesh, UnionFind& triangles, UnionFind& corners,
+                          TopologyFigures& figures) {
+  const std::vector<HalfEdge> sides = sorted_half_edges(mesh);
+  std::size_t edges = 0;
+  for (std::size_t begin = 0; begin < sides.size(); ++edges) {
+    const std::size_t end = edge_end(sides, begin);
+    const HalfEdge& first = sides[begin];
+    for (std::size_t s = begin + 1; s < end; ++s) triangles.unite(first.triangle, sides[s].triangle);
+    if (end - begin == 1) ++figures.boundary_edges;
+    if (end - begin > 2) ++figures.nonmanifold_edges;
+    if (end - begin == 2) {
+      const HalfEdge& second = sides[begin + 1];
+      if (first.forward == second.forward) ++figures.misoriented_edges;
+      for (const std::uint32_t v : {first.low, first.high}) {
+        corners.unite(corner_at(mesh, first.triangle, v), corner_at(mesh, second.triangle, v));
+      }
+    }
+    begin = end;
+  }
+  return edges;
+}
+
+}  // namespace
+
+TopologyFigures measure_connectivity(const TriangleMesh& mesh) {
+  TopologyFigures figures;
+  UnionFind triangles(mesh.triangles.size());
+  UnionFind corners(3 * mesh.triangles.size());
+  const std::size_t edges = join_at_edges(mesh, triangles, corners, figures);
+
+  // A fan is a set of corners joined over edges of two triangles; an edge of more ends the fans that reach it.
+  std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
+  std::size_t faces = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_collapsed(mesh.triangles[t])) continue;
+    ++faces;
+    if (triangles.is_root(t)) ++figures.components;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (corners.is_root(3 * t + i)) ++fans[mesh.triangles[t][i]];
+    }
+  }
+  const auto several = [](std::uint32_t n) { return n > 1; };
+  figures.nonmanifold_vertices = static_cast<std::size_t>(std::count_if(fans.begin(), fans.end(), several));
+  const auto unused = static_cast<std::size_t>(std::count(fans.begin(), fans.end(), 0U));
+  figures.euler = static_cast<long>(fans.size() - unused) - static_cast<long>(edges) + static_cast<long>(faces);
+  return figures;
+}
+
+TopologyFigures measure_topology(const TriangleMesh& mesh) {
+  TopologyFigures figures = measure_connectivity(mesh);
+  figures.self_intersections = count_self_intersections(mesh);
+  return figures;
+}
+
+}  // namespace isobench

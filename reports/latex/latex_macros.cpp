@@ -1,0 +1,128 @@
+// tables.tex as a whole, and its macros.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "isobench/reports/claims/claims.h"
+#include "isobench/reports/latex/latex.h"
+#include "isobench/reports/record/figure_values.h"
+#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/tables/tables.h"
+
+namespace isobench {
+
+namespace {
+
+// A word for each character that TeX's names do not take but ours may differ in.
+std::string spelled(const std::string& text) {
+  static const std::array<const char*, 10> digits = {"Zero", "One", "Two",   "Three", "Four",
+                                                     "Five", "Six", "Seven", "Eight", "Nine"};
+  std::string words;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c >= '0' && c <= '9')
+      words += std::string(" ") + digits[static_cast<std::size_t>(c - '0')] + " ";
+    else if (c == '.')
+      words += " Point ";
+    else if (text.compare(i, 2, "ε") == 0)
+      words += " Epsilon ";
+    else if (text.compare(i, 2, "δ") == 0)
+      words += " Delta ";
+    else
+      words += std::isalpha(static_cast<unsigned char>(c)) != 0 ? c : ' ';
+  }
+  return words;
+}
+
+std::string value_text(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "{--}"; }
+
+class Macros {
+ public:
+  void add(const std::string& name, double value) {
+    std::string unused = name;
+    // Two labels may differ in nothing but what a name cannot hold.
+    while (!names_.insert(unused).second) unused += "Again";
+    text_ += fmt::format("\\newcommand{{\\{}}}{{{}}}\n", unused, value_text(value));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::set<std::string> names_;
+  std::string text_;
+};
+
+void add_figures(const Runs& all, const std::string& dataset, const std::string& variant, Macros& macros) {
+  const Runs runs = gated(all);
+  if (runs.empty()) return;
+  if (runs.size() < all.size()) {
+    macros.add("isobench" + macro_name({dataset, variant, "runs left out"}),
+               static_cast<double>(all.size() - runs.size()));
+  }
+  for (const std::string& figure : figure_names()) {
+    std::vector<double> values;
+    for (const RunRecord* run : runs) values.push_back(figure_value(*run, figure));
+    const Spread spread = spread_of(std::move(values));
+    const std::string name = "isobench" + macro_name({dataset, variant, figure});
+    macros.add(name, spread.median);
+    if (runs.size() < 2) continue;
+    macros.add(name + "Smallest", spread.min);
+    macros.add(name + "Largest", spread.max);
+  }
+}
+
+}  // namespace
+
+std::string macro_name(const std::vector<std::string>& parts) {
+  std::string name;
+  for (const std::string& part : parts) {
+    bool capital = true;
+    for (const char c : spelled(part)) {
+      if (c == ' ') {
+        capital = true;
+        continue;
+      }
+      name += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+      capital = false;
+    }
+  }
+  return name;
+}
+
+std::string latex_macros(const Results& results) {
+  const Arrangement runs = arrange(results);
+  Macros macros;
+  for (const std::string& dataset : runs.datasets) {
+    for (const Variant& variant : runs.variants) {
+      add_figures(finished(find_runs(variant, dataset)), dataset, variant.name, macros);
+    }
+  }
+  return macros.text();
+}
+
+std::string latex_tables(const Results& results) {
+  std::string title = results.title;
+  std::replace(title.begin(), title.end(), '\n', ' ');
+  std::string text =
+      "% " + title +
+      "\n"
+      "% Read this with \\input in a document that loads booktabs and siunitx. No value is rounded: siunitx rounds in\n"
+      "% the tables, and \\num[round-mode=figures,round-precision=3]{\\isobench...} in the text.\n\n"
+      "% A macro for each figure: \\isobench, data set, method, figure, each in capitals and small letters.\n";
+  text += latex_macros(results);
+  if (results.published) {
+    text += "\n% Where the published figures come from.\n\\newcommand{\\isobenchPublishedSource}{" +
+            latex_escaped(results.published->source) + "}\n";
+  }
+  std::vector<Table> tables = all_tables(results);
+  tables.push_back(claims_table(results));
+  for (const Table& table : tables) {
+    if (!table.empty()) text += fmt::format("\n{}", latex(table));
+  }
+  return text;
+}
+
+}  // namespace isobench

@@ -1,0 +1,128 @@
+#include "isobench/reports/page/html.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "isobench/metrics/measurement.h"
+
+namespace isobench {
+
+namespace {
+
+constexpr std::size_t most_open_rows = 60;  // of a table; longer ones are folded
+
+// What a cell sorts by: its first number, else a number that was published, else nothing.
+std::string sort_key(const TableCell& cell) {
+  if (!cell.figures.empty() && std::isfinite(cell.figures.front().spread.median)) {
+    return fmt::format(" data-sort=\"{}\"", cell.figures.front().spread.median);
+  }
+  return "";
+}
+
+std::string cell_html(const TableCell& cell, bool label) {
+  TableCell own = cell;
+  own.published.clear();
+  std::string body = html_escaped(own.text());
+  if (!cell.published.empty()) {
+    TableCell theirs;
+    theirs.published = cell.published;
+    theirs.published_unit = cell.published_unit;
+    body += fmt::format("{}<span class=\"published\">{}</span>", body.empty() ? "" : " ", html_escaped(theirs.text()));
+  }
+  if (label) return fmt::format("<th scope=\"row\">{}</th>", body);
+  const char* kind = cell.figures.empty() ? "" : " class=\"number\"";
+  return fmt::format("<td{}{}>{}</td>", kind, sort_key(cell), body);
+}
+
+std::string definitions_html(const Table& table) {
+  std::string text;
+  for (const std::string& name : table.definitions) {
+    for (const MetricDefinition& metric : metric_definitions()) {
+      if (metric.name != name) continue;
+      text += fmt::format("<li><code>{}</code>{}: {}</li>\n", metric.name,
+                          metric.unit.empty() ? "" : " [" + html_escaped(metric.unit) + "]",
+                          html_escaped(metric.definition));
+    }
+  }
+  return text.empty() ? "" : "<details><summary>What the figures are</summary>\n<ul>\n" + text + "</ul></details>\n";
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string html_prose(std::string_view text) {
+  std::string result;
+  bool code = false;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('`', start), text.size());
+    result += html_escaped(text.substr(start, end - start));
+    if (end == text.size()) break;
+    result += code ? "</code>" : "<code>";
+    code = !code;
+    start = end + 1;
+  }
+  return result + (code ? "</code>" : "");
+}
+
+std::string base64(const std::string& bytes) {
+  std::string encoded(4 * ((bytes.size() + 2) / 3) + 1, '\0');
+  const int length =
+      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(encoded.data()),
+                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
+  encoded.resize(static_cast<std::size_t>(length));
+  return encoded;
+}
+
+std::string data_uri(const std::string& media_type, const std::string& bytes) {
+  return "data:" + media_type + ";base64," + base64(bytes);
+}
+
+std::string html(const Table& table) {
+  if (table.empty()) return "";
+  const bool leans = std::any_of(table.rows.begin(), table.rows.end(),
+                                 [](const TableRow& row) { return row.empty() || row.front().text().empty(); });
+  std::string text = "<h3>" + html_escaped(table.title) + "</h3>\n";
+  const bool folded = table.rows.size() > most_open_rows;
+  if (folded) text += fmt::format("<details><summary>{} rows</summary>\n", table.rows.size());
+  text += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", leans ? "" : " class=\"sortable\"");
+  for (const std::string& column : table.header) text += "<th scope=\"col\">" + html_escaped(column) + "</th>";
+  text += "</tr></thead>\n<tbody>\n";
+  for (const TableRow& row : table.rows) {
+    text += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) text += cell_html(row[i], i < table.label_columns);
+    text += "</tr>\n";
+  }
+  text += "</tbody></table></div>\n";
+  if (folded) text += "</details>\n";
+  for (const std::string& remark : table.remarks) text += "<p class=\"remark\">" + html_prose(remark) + "</p>\n";
+  if (!table.source.empty()) text += "<p class=\"remark\">" + html_escaped(table.source) + "</p>\n";
+  return text + definitions_html(table);
+}
+
+}  // namespace isobench

@@ -1,0 +1,125 @@
+#include "isobench/reports/page/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isobench/reports/page/html.h"
+#include "isobench/reports/page/page_files.h"
+#include "isobench/reports/tables/tables.h"
+
+namespace isobench {
+
+namespace {
+
+// What stands under a figure's number is not repeated.
+std::string plots_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
+  std::string text;
+  for (const Plot& plot : exhibits.plots) {
+    const bool shown = std::find(exhibits.shown.begin(), exhibits.shown.end(), plot.name) != exhibits.shown.end();
+    if (!shown && drawn(exhibits, plot)) text += plot_html(plot, folder);
+  }
+  if (text.empty()) return "";
+  const char* elsewhere = exhibits.shown.empty() ? ""
+                                                 : "<p class=\"remark\">Histograms of radius ratios and edge "
+                                                   "lengths stand above, under their figures' numbers.</p>\n";
+  return std::string("<section id=\"plots\"><h2>Plots</h2>\n") + elsewhere + "<div class=\"figures\">\n" + text +
+         "</div></section>\n";
+}
+
+std::string pictures_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
+  std::string text;
+  std::string group;
+  for (const Picture& picture : exhibits.pictures) {
+    if (picture.group != group) {
+      text += (group.empty() ? "" : "</div>\n") + ("<h3>" + html_escaped(picture.group)) +
+              "</h3>\n<div class=\"figures pictures\">\n";
+      group = picture.group;
+    }
+    text += picture_html(picture, folder);
+  }
+  return text.empty() ? "" : "<section id=\"pictures\"><h2>Pictures</h2>\n" + text + "</div></section>\n";
+}
+
+std::string tables_html(const Results& results) {
+  std::string text;
+  for (const Table& table : all_tables(results)) text += html(table);
+  if (text.empty()) return "";
+  return "<section id=\"tables\"><h2>Tables</h2>\n" + text +
+         "<p class=\"remark\">† not a closed manifold; such meshes stay out of medians while there are others. ‡ not "
+         "of the "
+         "number of vertices that it was to be matched to. All figures, unrounded: <a "
+         "href=\"results.csv\">results.csv</a> "
+         "(<a href=\"results.columns.md\">its columns</a>); for LaTeX: <a "
+         "href=\"tables.tex\">tables.tex</a>.</p>\n</section>\n";
+}
+
+std::string banner(const Results& results, const Exhibits& exhibits) {
+  std::string text;
+  if (!results.missing.empty()) {
+    text += fmt::format(
+        "<p class=\"notice\">Half-finished: {} of {} runs are not done yet. The same <code>isobench run</code> goes on "
+        "with "
+        "them; this page shows what there is.</p>\n",
+        results.missing.size(), results.missing.size() + results.records.size());
+  }
+  for (const std::string& sentence : exhibits.missing) text += "<p class=\"notice\">" + html_prose(sentence) + "</p>\n";
+  return text;
+}
+
+// Links to the sections that there are.
+std::string navigation(const std::string& body) {
+  static const std::vector<std::pair<const char*, const char*>> sections = {{"summary", "In words"},
+                                                                            {"gaps", "Failures and skips"},
+                                                                            {"claims", "Published beside measured"},
+                                                                            {"figures", "Figures of the paper"},
+                                                                            {"turn", "3D"},
+                                                                            {"tables", "Tables"},
+                                                                            {"plots", "Plots"},
+                                                                            {"pictures", "Pictures"},
+                                                                            {"runs", "Provenance"},
+                                                                            {"cite", "How to cite"}};
+  std::string text = "<nav>";
+  for (const auto& [id, title] : sections) {
+    if (body.find(fmt::format("<section id=\"{}\"", id)) == std::string::npos) continue;
+    text += fmt::format("<a href=\"#{}\">{}</a> ", id, title);
+  }
+  return text + "</nav>\n";
+}
+
+}  // namespace
+
+bool drawn(const Exhibits& exhibits, const Plot& plot) {
+  return std::find(exhibits.drawn.begin(), exhibits.drawn.end(), plot.name) != exhibits.drawn.end();
+}
+
+std::string plot_html(const Plot& plot, const std::filesystem::path& folder) {
+  const std::string svg = read_text(folder / "plots" / (plot.name + ".svg"));
+  return fmt::format(
+      "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption>{} "
+      "<a href=\"plots/{}.svg\">SVG</a></figcaption></figure>\n",
+      data_uri("image/svg+xml", svg), html_escaped(plot.title), html_escaped(plot.caption), plot.name);
+}
+
+std::string picture_html(const Picture& picture, const std::filesystem::path& folder) {
+  return fmt::format(
+      "<figure><img loading=\"lazy\" src=\"{}\" alt=\"{}\"><figcaption><b>{}</b> {} "
+      "<a href=\"{}\">PNG</a></figcaption></figure>\n",
+      data_uri("image/jpeg", read_text(folder / picture.preview)), html_escaped(picture.group + ": " + picture.title),
+      html_escaped(picture.title), html_escaped(picture.caption), html_escaped(picture.file));
+}
+
+std::string page(const Results& results, Exhibits exhibits, const std::filesystem::path& folder) {
+  std::string body = summary_html(results) + gaps_html(results) + claims_html(results);
+  body += plates_html(results, exhibits, folder);
+  body += turnable_html(exhibits, folder) + tables_html(results) + plots_html(exhibits, folder) +
+          pictures_html(exhibits, folder) + provenance_html(results) + citations_html(results);
+  const std::string title = html_escaped(results.title);
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         title + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" + page_style +
+         "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n" + banner(results, exhibits) + navigation(body) + body +
+         "<script>\n" + page_script + turning_script + "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace isobench

@@ -1,0 +1,187 @@
+// The page in a browser, as a reader uses it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "isobench/foundation/testing/test_folder.h"
+#include "isobench/foundation/testing/test_text.h"
+#include "isobench/methods/mesh/mesh_checksum.h"
+#include "isobench/methods/mesh/sample_meshes.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/reports/page/test_browser.h"
+#include "isobench/reports/pictures/test_pixels.h"
+#include "isobench/reports/record/sample_records.h"
+#include "isobench/reports/report.h"
+#include "isobench/reports/tables/tables.h"
+
+namespace isobench {
+namespace {
+
+constexpr const char* published_figures = R"(source = "A paper"
+[[method]]
+printed = "ps"
+name = "ours"
+[[plate]]
+number = 6
+shows = "mesh"
+dataset = "box"
+caption = "A torus."
+[[plate]]
+number = 9
+shows = "mesh"
+dataset = "vessel"
+caption = "Of what was not run."
+)";
+
+// A finished experiment of two methods: of one the page turns the mesh as it is, of the other a copy.
+std::filesystem::path made_report(const TestFolder& folder) {
+  std::vector<RunRequest> plan;
+  for (const std::string& method : {std::string("ours"), std::string("theirs")}) {
+    RunRecord record = sample_record("box", method);
+    record.measurement->radius_ratio.min = method == "ours" ? 0.75 : 0.5;
+    const TriangleMesh mesh = sample_meshes::torus(method == "ours" ? 24 : 80);
+    record.mesh_checksum = checksum(mesh);
+    record.measurement->triangles = mesh.triangles.size();
+    std::filesystem::create_directories(folder.path() / record.request.run);
+    write_mesh(mesh, folder.path() / record.request.run / "mesh.vtp");
+    write_record(record, folder.path() / record.request.run / "run.json");
+    plan.push_back(record.request);
+  }
+  write_text(folder.path() / "plan.json", plan_to_json(plan));
+  write_text(folder.path() / "published.toml", published_figures);
+  EXPECT_EQ(write_report(folder.path()).missing, std::vector<std::string>{});
+  return folder.path() / "report.html";
+}
+
+// How many of the pixels of a page are those of a mesh: neither white nor grey.
+int coloured(const std::string& png) {
+  return Pixels(png).count([](const Colour& c) {
+    return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}) > 40;
+  });
+}
+
+// How many pixels two pictures of one size differ in, but for a frame that tells where keys go.
+int differing(const std::string& before, const std::string& after) {
+  const Pixels a(before);
+  const Pixels b(after);
+  constexpr int frame = 8;
+  int count = 0;
+  for (int y = frame; y < a.height() - frame; ++y) {
+    for (int x = frame; x < a.width() - frame; ++x) {
+      const Colour p = a.at(x, y);
+      const Colour q = b.at(x, y);
+      count += std::abs(p.red - q.red) + std::abs(p.green - q.green) + std::abs(p.blue - q.blue) > 30 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+class SlowPageInABrowser : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string missing = Browser::missing(); !missing.empty()) GTEST_SKIP() << missing;
+    page_ = made_report(folder_);
+    browser_ = std::make_unique<Browser>(browser_folder_.path());
+  }
+  void TearDown() override {
+    if (!browser_) return;
+    EXPECT_EQ(browser_->complaints(), std::vector<std::string>{});
+    EXPECT_EQ(browser_->requests(), std::vector<std::string>{});
+  }
+
+  void see_every_table_plot_and_picture() {
+    const std::string html = read_text(page_);
+    const std::size_t images = count_of(html, "<img ");
+    EXPECT_GT(images, 12U);  // of two meshes three pictures each, two under Figure 6, and plots
+    browser_->ask("for (const image of document.images) image.loading = 'eager';");
+    EXPECT_TRUE(browser_->eventually("return Array.from(document.images).every((image) => image.complete)"));
+    EXPECT_EQ(browser_->ask("return Array.from(document.images).filter((image) => image.naturalWidth > 0 && "
+                            "image.clientWidth > 100).length"),
+              images);
+    const auto titles = browser_->ask("return Array.from(document.querySelectorAll('h3'), (h) => h.textContent)");
+    for (const Table& table : all_tables(load_results(folder_.path())))
+      EXPECT_NE(std::find(titles.begin(), titles.end(), table.title), titles.end()) << table.title;
+    EXPECT_EQ(browser_->ask("return Array.from(document.querySelectorAll('table')).filter((t) => t.rows.length < 2 && "
+                            "t.className !== 'facts').length"),
+              0);
+    // The figure that there is stands under its number; of the other it says what it needs.
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('#figures h3').length"), 2);
+    EXPECT_NE(html.find("it needs a finished run of vessel"), std::string::npos);
+  }
+
+  void sort_a_table_by_a_click() {
+    browser_->ask(
+        "Array.from(document.querySelectorAll('h3')).find((h) => h.textContent.startsWith('Table "
+        "2')).nextElementSibling"
+        ".querySelector('table').id = 'ratios';");
+    const std::string column =
+        "return Array.from(document.querySelectorAll('#ratios tbody tr'), (row) => "
+        "row.cells[1].dataset.sort).join(' ')";
+    browser_->click("#ratios th:nth-child(2) button");
+    EXPECT_EQ(browser_->ask(column), "0.5 0.75");
+    browser_->click("#ratios th:nth-child(2) button");
+    EXPECT_EQ(browser_->ask(column), "0.75 0.5");
+    EXPECT_EQ(browser_->ask("return document.querySelector('#ratios th:nth-child(2)').ariaSort"), "descending");
+  }
+
+  void turn_a_mesh_by_a_drag() {
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 0);  // none before it is asked for
+    browser_->click("td[data-whole] button");
+    const std::string before = browser_->picture(".stage canvas");
+    const int size = coloured(before);
+    EXPECT_GT(size, 10000);  // no blank
+    browser_->drag(".stage canvas", 120, 60);
+    const std::string after = browser_->picture(".stage canvas");
+    EXPECT_GT(coloured(after), 10000);
+    EXPECT_GT(differing(before, after), 10000);
+    // Keys do the same, and 0 brings the first view back.
+    browser_->type(".stage canvas", "0");
+    EXPECT_LT(differing(before, browser_->picture(".stage canvas")), 100);
+    browser_->turn_wheel(".stage canvas", 700);
+    EXPECT_LT(coloured(browser_->picture(".stage canvas")), size / 2);  // half as large: a quarter of the pixels
+  }
+
+  void turn_a_copy_of_a_large_mesh_and_its_worst_place() {
+    browser_->click("td[data-worst] button:nth-of-type(1)");
+    EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
+    const std::string caption = browser_->ask("return document.querySelector('.stage figcaption').textContent");
+    EXPECT_NE(caption.find("of a mesh of 25,600"), std::string::npos) << caption;
+    browser_->click("td[data-worst] button:nth-of-type(2)");
+    EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 1);  // one at a time
+  }
+
+  TestFolder folder_;
+  TestFolder browser_folder_;
+  std::filesystem::path page_;
+  std::unique_ptr<Browser> browser_;
+};
+
+// One after the other in one browser: starting it takes longer than all of them.
+TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
+  browser_->open(page_);
+  see_every_table_plot_and_picture();
+  sort_a_table_by_a_click();
+  turn_a_mesh_by_a_drag();
+  turn_a_copy_of_a_large_mesh_and_its_worst_place();
+}
+
+TEST_F(SlowPageInABrowser, ReadsWithoutScripts) {
+  browser_->forbid_scripts();
+  browser_->open(page_);
+  // Nothing of the page's own has run, and all that is to be read is there.
+  EXPECT_EQ(browser_->ask("return document.querySelectorAll('button').length"), 0);
+  const std::string text = browser_->ask("return document.body.innerText");
+  for (const std::string part : {"Compared: 2 methods", "Worst triangle", "Figure 6", "A torus.", "How to cite"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  for (const Table& table : all_tables(load_results(folder_.path())))
+    EXPECT_NE(text.find(table.title), std::string::npos) << table.title;
+  EXPECT_GE(browser_->ask("return document.querySelectorAll('a[href$=\"/mesh.vtp\"]').length").get<int>(), 2);
+  browser_->click("details summary");  // folds need no script
+  EXPECT_EQ(browser_->ask("return document.querySelectorAll('details[open]').length"), 1);
+}
+
+}  // namespace
+}  // namespace isobench

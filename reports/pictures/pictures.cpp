@@ -1,0 +1,234 @@
+#include "isobench/reports/pictures/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "isobench/foundation/run_tool.h"
+#include "isobench/foundation/sha256.h"
+#include "isobench/reports/pictures/render.h"
+#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/tables/sizing_grid.h"
+#include "isobench/reports/text/markdown.h"
+
+namespace isobench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Beyond these nobody looks, and the page grows.
+constexpr std::size_t most_of_a_dataset = 24;
+constexpr std::size_t most_meshes = 72;
+constexpr std::size_t most_triangles = 20000;          // of a mesh that the page turns
+constexpr std::size_t most_triangles_of_all = 800000;  // at about twelve bytes each
+
+void add_run(PictureGroup& group, const RunRecord& run, const std::string& name) {
+  group.runs.push_back(&run);
+  group.names.push_back(name);
+}
+
+PictureGroup dataset_group(const Arrangement& runs, const std::string& dataset, std::size_t most,
+                           std::vector<std::string>& left_out) {
+  PictureGroup group;
+  group.dataset = group.title = dataset;
+  std::size_t meshes = 0;
+  for (const Variant& variant : runs.variants) {
+    const RunRecord* run = find_run(variant, dataset);
+    if (run == nullptr || run->status != Status::ok) continue;
+    if (++meshes <= std::min(most, most_of_a_dataset)) add_run(group, *run, variant.name);
+  }
+  if (meshes > group.runs.size()) {
+    left_out.push_back(
+        fmt::format("Of {} the first {} of {} meshes have pictures.", dataset, group.runs.size(), meshes));
+  }
+  return group;
+}
+
+PictureGroup grid_group(const SizingGrid& grid) {
+  PictureGroup group;
+  group.dataset = grid.dataset;
+  group.title = fmt::format("{}, {}: ε down, δ across", grid.dataset, grid.label);
+  group.grid = true;
+  group.across = grid.deltas.size();
+  for (const double epsilon : grid.epsilons) {
+    for (const double delta : grid.deltas) {
+      const auto cell = grid.cells.find({epsilon, delta});
+      if (cell == grid.cells.end()) continue;
+      const auto done = std::find_if(cell->second.begin(), cell->second.end(),
+                                     [](const RunRecord* run) { return run->status == Status::ok; });
+      if (done != cell->second.end()) add_run(group, **done, fmt::format("ε {}, δ {}", epsilon, delta));
+    }
+  }
+  return group;
+}
+
+// Its own files next to it tell what a run kept.
+bool kept(const fs::path& folder, const RunRecord& run, const char* artefact) {
+  return run.request.artefacts && fs::exists(folder / run.request.run / artefact);
+}
+
+bool all_there(const PictureGroup& group, const fs::path& folder) {
+  return std::all_of(group.runs.begin(), group.runs.end(), [&](const RunRecord* run) {
+    const std::vector<std::string> files = files_of(group, *run, folder);
+    return std::all_of(files.begin(), files.end(), [&](const std::string& file) { return fs::exists(folder / file); });
+  });
+}
+
+std::string caption_of(const RunRecord& run, const std::string& shot) {
+  if (shot == shots::closer) return "closer";
+  if (shot == shots::whole) return fmt::format("{} triangles", run.measurement->triangles);
+  if (shot == shots::worst) return "radius ratio " + significant(run.measurement->radius_ratio.min, 3);
+  if (shot == shots::medial_axis) return "the medial axis inside, coloured by its distance to the surface, mm";
+  if (shot == shots::initial_sizing) return "the longest edges that sampling allows, h0, mm";
+  if (shot == shots::limited_sizing) return "the same with its growth limited, h, mm";
+  return "the particles, before they are connected";
+}
+
+const std::vector<std::pair<const char*, const char*>>& titles() {
+  static const std::vector<std::pair<const char*, const char*>> all = {
+      {shots::whole, "the whole mesh"},
+      {shots::closer, "the same place of each, closer"},
+      {shots::worst, "the worst triangle of each"},
+      {shots::medial_axis, "the medial axis"},
+      {shots::initial_sizing, "the initial sizing field"},
+      {shots::limited_sizing, "the limited sizing field"},
+      {shots::particles, "the particles"},
+      {shots::particles_closer, "the particles, closer"}};
+  return all;
+}
+
+void list_pictures(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
+  for (const auto& [shot, title] : titles()) {
+    for (std::size_t n = 0; n < group.runs.size(); ++n) {
+      const RunRecord& run = *group.runs[n];
+      const std::vector<std::string> wanted = shots_of(group, run, folder);
+      if (std::find(wanted.begin(), wanted.end(), shot) == wanted.end()) continue;
+      Picture picture{group.file(run, shot), group.file(run, shot, "jpg"), group.dataset, shot, group.grid, group.title,
+                      group.names[n],        caption_of(run, shot)};
+      if (!group.grid) picture.group += std::string(": ") + title;
+      if (fs::exists(folder / picture.file) && fs::exists(folder / picture.preview))
+        pictures.pictures.push_back(std::move(picture));
+    }
+  }
+}
+
+void list_others(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
+  if (group.grid) return;
+  for (std::size_t n = 0; n < group.runs.size(); ++n) {
+    const RunRecord& run = *group.runs[n];
+    for (const char* name : {PictureGroup::turn, PictureGroup::turn_worst}) {
+      const std::string file = group.file(run, name, "mesh");
+      if (!fs::exists(folder / file)) continue;
+      pictures.turnable.push_back({file, group.dataset, group.names[n], run.request.run,
+                                   name == std::string(PictureGroup::turn_worst), run.measurement->triangles});
+    }
+    const fs::path counts = folder / group.file(run, PictureGroup::over_h, "txt");
+    if (!fs::exists(counts)) continue;
+    EdgesOverH over{group.dataset, group.names[n], {}};
+    std::istringstream text(read_text(counts));
+    for (std::uint32_t count = 0; text >> count;) over.counts.push_back(count);
+    pictures.edges_over_h.push_back(std::move(over));
+  }
+}
+
+void remove_others(const std::vector<PictureGroup>& groups, const fs::path& folder) {
+  std::set<std::string> names;
+  for (const PictureGroup& group : groups) {
+    for (const RunRecord* run : group.runs) {
+      for (const std::string& file : files_of(group, *run, folder)) names.insert(fs::path(file).filename().string());
+    }
+  }
+  std::vector<fs::path> others;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "pictures")) {
+    if (!names.contains(entry.path().filename().string())) others.push_back(entry.path());
+  }
+  for (const fs::path& other : others) fs::remove_all(other);
+}
+
+// What the drawing program said of what it could not do, a sentence a line.
+std::vector<std::string> have_drawn(const fs::path& folder) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "isobench-pictures";
+  if (!fs::exists(program)) return {"Pictures cannot be drawn: " + program.string() + " is not there; build it."};
+  const ScratchFolder scratch(folder);
+  const bool ended_well = run_tool({program.string(), fs::absolute(folder).string()}, scratch.path());
+  std::vector<std::string> sentences;
+  std::istringstream log(fs::exists(scratch.path() / "log.txt") ? read_text(scratch.path() / "log.txt") : "");
+  for (std::string line; std::getline(log, line);) sentences.push_back(line);
+  if (!ended_well && sentences.empty()) sentences.emplace_back("The program that draws pictures broke off.");
+  return sentences;
+}
+
+}  // namespace
+
+std::string PictureGroup::file(const RunRecord& run, const std::string& name, const char* ending) const {
+  const std::string hash = sha256_of_text(key + " " + run.mesh_checksum + " " + name).substr(0, 8);
+  return fmt::format("pictures/{}-{}-{}.{}", run.request.run, name, hash, ending);
+}
+
+std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out) {
+  const Arrangement runs = arrange(results);
+  std::vector<PictureGroup> groups;
+  std::size_t meshes = 0;
+  for (const std::string& dataset : runs.datasets) {
+    groups.push_back(dataset_group(runs, dataset, most_meshes - meshes, left_out));
+    meshes += groups.back().runs.size();
+  }
+  const std::size_t triangles =
+      std::clamp(most_triangles_of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
+  for (const SizingGrid& grid : sizing_grids(results)) {
+    if (grid.epsilons.size() * grid.deltas.size() <= most_of_a_dataset) groups.push_back(grid_group(grid));
+  }
+  std::erase_if(groups, [](const PictureGroup& group) { return group.runs.empty(); });
+  for (PictureGroup& group : groups) {
+    group.turnable_triangles = triangles;
+    group.key = fmt::format("{} {} {}", render_revision, group.grid ? "grid" : "", triangles);
+    for (const RunRecord* run : group.runs) group.key += " " + run->mesh_checksum;
+  }
+  return groups;
+}
+
+std::vector<std::string> shots_of(const PictureGroup& group, const RunRecord& run, const fs::path& folder) {
+  if (group.grid) return {shots::whole};
+  std::vector<std::string> all = {shots::whole, shots::closer, shots::worst};
+  if (kept(folder, run, "medial-axis.vtp")) all.emplace_back(shots::medial_axis);
+  if (kept(folder, run, "sizing.vtp")) all.insert(all.end(), {shots::initial_sizing, shots::limited_sizing});
+  if (kept(folder, run, "particles.vtp")) all.insert(all.end(), {shots::particles, shots::particles_closer});
+  return all;
+}
+
+std::vector<std::string> files_of(const PictureGroup& group, const RunRecord& run, const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const std::string& shot : shots_of(group, run, folder)) {
+    files.push_back(group.file(run, shot));
+    files.push_back(group.file(run, shot, "jpg"));
+  }
+  if (group.grid) return files;
+  files.push_back(group.file(run, PictureGroup::turn, "mesh"));
+  if (run.measurement->triangles > group.turnable_triangles)
+    files.push_back(group.file(run, PictureGroup::turn_worst, "mesh"));
+  if (kept(folder, run, "sizing.vtp")) files.push_back(group.file(run, PictureGroup::over_h, "txt"));
+  return files;
+}
+
+Pictures make_pictures(const Results& results, const fs::path& folder) {
+  Pictures pictures;
+  fs::create_directories(folder / "pictures");
+  const std::vector<PictureGroup> groups = picture_groups(results, pictures.missing);
+  const auto whole = [&folder](const PictureGroup& group) { return all_there(group, folder); };
+  if (!std::all_of(groups.begin(), groups.end(), whole)) {
+    for (std::string& sentence : have_drawn(folder)) pictures.missing.push_back(std::move(sentence));
+  }
+  remove_others(groups, folder);
+  for (const PictureGroup& group : groups) {
+    if (group.grid) pictures.across = group.across;
+    list_pictures(group, folder, pictures);
+    list_others(group, folder, pictures);
+  }
+  return pictures;
+}
+
+}  // namespace isobench

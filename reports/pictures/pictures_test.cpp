@@ -1,0 +1,275 @@
+#include "isobench/reports/pictures/pictures.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "isobench/foundation/error.h"
+#include "isobench/foundation/testing/test_folder.h"
+#include "isobench/methods/mesh/mesh_checksum.h"
+#include "isobench/methods/mesh/sample_meshes.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/reports/pictures/cameras.h"
+#include "isobench/reports/pictures/drawing.h"
+#include "isobench/reports/pictures/test_pixels.h"
+#include "isobench/reports/record/sample_records.h"
+
+namespace isobench {
+namespace {
+
+// A square of two triangles in the plane z = 0, seen from above.
+struct Square {
+  TriangleMesh mesh = sample_meshes::mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  Scene scene = scene_of({1.0, 0.0});
+  View view{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 2.0, 5.0};
+
+  Scene scene_of(std::vector<double> values) const {
+    Scene made;
+    made.mesh = &mesh;
+    made.values = std::move(values);
+    made.legend = "value";
+    made.edges = false;
+    return made;
+  }
+};
+
+TEST(SlowPictures, ShowAMeshInItsPlaceSizeAndColours) {
+  const Square square;
+  Renderer renderer(320, 240);
+  const Pixels pixels(renderer.draw(square.scene, square.view).png);
+  ASSERT_EQ(pixels.width(), 320);
+  ASSERT_EQ(pixels.height(), 240);
+  // Half the height is 2 mm: the square of 2 mm covers 120 pixels by 120 in the middle.
+  EXPECT_NEAR(pixels.count([](const Colour& c) { return !is_white(c); }), 120 * 120, 500);
+  EXPECT_TRUE(is_white(pixels.at(133 - 64, 120)));
+  EXPECT_FALSE(is_white(pixels.at(133 - 56, 120)));
+  // The triangle below the diagonal has the value 1: yellow; the other 0: violet.
+  const Colour good = pixels.at(133 + 30, 120 - 30);
+  const Colour bad = pixels.at(133 - 30, 120 + 30);
+  EXPECT_GT(good.red, good.blue + 80);
+  EXPECT_GT(bad.blue, bad.green + 40);
+  // The bar stands to the right.
+  EXPECT_FALSE(is_white(pixels.at(320 * 87 / 100, 120)));
+}
+
+TEST(SlowPictures, ShowEdgesAndAnOutline) {
+  Square square;
+  Renderer renderer(320, 240);
+  const int plain = Pixels(renderer.draw(square.scene, square.view).png).count(is_dark);
+  square.scene.edges = true;
+  const int edges = Pixels(renderer.draw(square.scene, square.view).png).count(is_dark);
+  EXPECT_GT(edges, plain + 300);  // four sides of 120 pixels and a diagonal, smoothed
+  EXPECT_EQ(Pixels(renderer.draw(square.scene, square.view).png).count(is_red), 0);
+  square.scene.outlined = 0;
+  EXPECT_GT(Pixels(renderer.draw(square.scene, square.view).png).count(is_red), 300);
+}
+
+TEST(SlowPictures, ShowWhatACloseEyeLooksAtBeforeADeepScene) {
+  Square square;
+  square.mesh = sample_meshes::together(square.mesh, sample_meshes::box({-1e3, -1e3, -3e3}, {1e3, 1e3, -1e3}));
+  square.scene = square.scene_of(std::vector<double>(square.mesh.triangles.size(), 1.0));
+  square.scene.outlined = 0;
+  square.view.eye_distance = 1.0;
+  const Pixels pixels(Renderer(320, 240).draw(square.scene, square.view).png);
+  EXPECT_GT(pixels.count(is_red), 300);
+}
+
+TEST(SlowPictures, ShowEveryPoint) {
+  Scene scene;
+  scene.point_size = 7.0;
+  for (int n = 0; n < 5; ++n) scene.points.emplace_back(0.5 * (n - 2), 0.0, 0.0);
+  const Pixels pixels(
+      Renderer(320, 240).draw(scene, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 2.0, 5.0}).png);
+  // Half a millimetre is 30 pixels: five balls, each with white between it and the next.
+  int marks = 0;
+  bool inside = false;
+  for (int x = 0; x < 265; ++x) {
+    const bool filled = !is_white(pixels.at(x, 120));
+    marks += filled && !inside ? 1 : 0;
+    inside = filled;
+  }
+  EXPECT_EQ(marks, 5);
+  EXPECT_NEAR(pixels.count([](const Colour& c) { return !is_white(c); }), 5 * 38, 80);  // π/4 · 7²
+  EXPECT_TRUE(is_white(pixels.at(320 * 87 / 100, 120)));                                // no legend, no bar
+}
+
+TEST(SlowPictures, ShowValuesOfCornersInTheirRange) {
+  Square square;
+  square.scene.values.clear();
+  square.scene.vertex_values = {20.0, 30.0, 30.0, 20.0};  // grows to the right
+  square.scene.low = 20.0;
+  square.scene.high = 30.0;
+  const Pixels pixels(Renderer(320, 240).draw(square.scene, square.view).png);
+  const Colour left = pixels.at(133 - 55, 120);
+  const Colour right = pixels.at(133 + 55, 120);
+  EXPECT_GT(left.blue, left.green + 40);
+  EXPECT_GT(right.red, right.blue + 80);
+}
+
+TEST(SlowPictures, AreTheSameBytesEveryTime) {
+  const Square square;
+  const std::string first = Renderer(320, 240).draw(square.scene, square.view).png;
+  EXPECT_EQ(Renderer(320, 240).draw(square.scene, square.view).png, first);
+}
+
+TEST(Pictures, FrameAllMeshes) {
+  const TriangleMesh small = sample_meshes::tetrahedron();
+  const TriangleMesh far = sample_meshes::box({10, 10, 10}, {12, 12, 12});
+  const View view = view_of_all({&small, &far});
+  EXPECT_LT((view.focus - Eigen::Vector3d(6, 6, 6)).norm(), 1e-12);
+  const Eigen::Vector3d direction = view.towards.normalized();
+  for (const Eigen::Vector3d& vertex : far.vertices) {
+    const Eigen::Vector3d offset = vertex - view.focus;
+    EXPECT_LT((offset - offset.dot(direction) * direction).norm(), 1.5 * view.half_height);
+    EXPECT_LT(offset.dot(direction), view.eye_distance);
+  }
+  EXPECT_LT(closer_view(view, far, 0.1).half_height, view.half_height);
+}
+
+TEST(Pictures, LookStraightOntoATriangleWithoutArea) {
+  TriangleMesh mesh = sample_meshes::mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, -1, 0}, {1, 1, 0}},
+                                          {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 4}});
+  const View view = view_of_triangle(mesh, 0);
+  EXPECT_NEAR(view.towards.normalized().z(), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(view.focus.x(), 1.0);
+  EXPECT_GT(view.half_height, 2.0);
+}
+
+void store(RunRecord& record, const TriangleMesh& mesh, const std::filesystem::path& folder) {
+  record.mesh_checksum = checksum(mesh);
+  std::filesystem::create_directories(folder / record.request.run);
+  write_mesh(mesh, folder / record.request.run / "mesh.vtp");
+}
+
+// For the program that draws: it reads the folder itself.
+void write_plan(const Results& results, const std::filesystem::path& folder) {
+  std::vector<RunRequest> plan;
+  for (const RunRecord& record : results.records) {
+    plan.push_back(record.request);
+    write_record(record, folder / record.request.run / "run.json");
+  }
+  write_text(folder / "plan.json", plan_to_json(plan));
+}
+
+// A folder with two runs of one dataset and their meshes.
+Results stored(const std::filesystem::path& folder) {
+  Results results;
+  results.records = {sample_record("box", "ours"), sample_record("box", "theirs")};
+  for (std::size_t n = 0; n < 2; ++n) {
+    store(results.records[n], n == 0 ? sample_meshes::torus(12) : sample_meshes::box({-3, -3, -1}, {3, 3, 1}), folder);
+  }
+  write_plan(results, folder);
+  return results;
+}
+
+TEST(SlowPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
+  const TestFolder folder;
+  Results results = stored(folder.path());
+  const Pictures first = make_pictures(results, folder.path());
+  EXPECT_EQ(first.missing, std::vector<std::string>{});
+  ASSERT_EQ(first.pictures.size(), 6U);
+  for (const Picture& picture : first.pictures) {
+    const Pixels pixels(read_text(folder.path() / picture.file));
+    const int filled = pixels.count([](const Colour& c) { return !is_white(c); });
+    EXPECT_GT(filled, pixels.width() * pixels.height() / 40) << picture.file;  // nowhere blank
+  }
+  EXPECT_EQ(first.pictures[0].title, "ours");
+  EXPECT_EQ(first.pictures[0].group, first.pictures[1].group);
+  EXPECT_EQ(first.turnable.size(), 2U);
+  const auto written = std::filesystem::last_write_time(folder.path() / first.pictures[0].file);
+  make_pictures(results, folder.path());
+  EXPECT_EQ(std::filesystem::last_write_time(folder.path() / first.pictures[0].file), written);
+  // What was lost is made again.
+  std::filesystem::remove(folder.path() / first.pictures[0].preview);
+  EXPECT_EQ(make_pictures(results, folder.path()).pictures.size(), 6U);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / first.pictures[0].preview));
+  // Another mesh: other pictures, and none left over.
+  results.records[1].mesh_checksum = "another";
+  write_plan(results, folder.path());
+  const Pictures second = make_pictures(results, folder.path());
+  EXPECT_NE(second.pictures[0].file, first.pictures[0].file);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / first.pictures[0].file));
+}
+
+TEST(SlowPictures, OfAMeshThatIsGoneAreMissedAloud) {
+  const TestFolder folder;
+  const Results results = stored(folder.path());
+  std::filesystem::remove(folder.path() / results.records[1].request.run / "mesh.vtp");
+  const Pictures pictures = make_pictures(results, folder.path());
+  EXPECT_TRUE(pictures.pictures.empty());
+  ASSERT_EQ(pictures.missing.size(), 1U);
+  EXPECT_NE(pictures.missing[0].find("mesh.vtp"), std::string::npos);
+}
+
+// What a run leaves behind that keeps its artefacts.
+void keep_artefacts(RunRecord& record, const TriangleMesh& mesh, const std::filesystem::path& folder) {
+  record.request.artefacts = true;
+  Artefact axis;
+  for (int n = 0; n < 200; ++n) {
+    const double angle = 2.0 * M_PI * n / 200;
+    axis.points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    axis.points.emplace_back(9.0, 9.0, 0.1 * n);  // outside the torus: not to be seen
+  }
+  axis.data["radius"].assign(axis.points.size(), 1.0);
+  Artefact sizing{mesh.vertices, {}};
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    sizing.data["h0"].push_back(1.0 + vertex.x());
+    sizing.data["h"].push_back(2.0);
+  }
+  write_artefacts({{"medial-axis", axis}, {"sizing", sizing}, {"particles", {mesh.vertices, {}}}}, Lattice{},
+                  folder / record.request.run);
+}
+
+TEST(SlowPictures, OfWhatARunKeptShowEachStage) {
+  const TestFolder folder;
+  Results results = stored(folder.path());
+  keep_artefacts(results.records[0], sample_meshes::torus(12), folder.path());
+  write_plan(results, folder.path());
+  const Pictures pictures = make_pictures(results, folder.path());
+  EXPECT_EQ(pictures.missing, std::vector<std::string>{});
+  ASSERT_EQ(pictures.pictures.size(), 6U + 5U);
+  std::map<std::string, std::string> drawn;
+  for (const Picture& picture : pictures.pictures) {
+    const std::string bytes = read_text(folder.path() / picture.file);
+    EXPECT_GT(Pixels(bytes).count([](const Colour& c) { return !is_white(c); }), 1000) << picture.shot;
+    if (picture.title == "ours") drawn[picture.shot] = bytes;
+  }
+  EXPECT_NE(drawn[shots::initial_sizing], drawn[shots::limited_sizing]);
+  const auto blue = [](const Colour& c) { return c.blue > c.red + 60; };
+  EXPECT_GT(Pixels(drawn[shots::particles]).count(blue), 1000);
+  // Edges over h: h is 2 everywhere, and no edge of that torus is longer than 1.6.
+  ASSERT_EQ(pictures.edges_over_h.size(), 1U);
+  const std::vector<std::uint32_t>& counts = pictures.edges_over_h[0].counts;
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0U), 3U * 12 * 24);
+  EXPECT_EQ(std::accumulate(counts.begin() + 80, counts.end(), 0U), 0U);
+}
+
+TEST(SlowPictures, OfAGridStandInItsRows) {
+  const TestFolder folder;
+  Results results;
+  for (const double epsilon : {1.0, 0.5}) {
+    for (const double delta : {0.6, 0.3, 0.1}) {
+      RunRecord record = sample_record("box", "ours");
+      record.request.run += fmt::format("-{}-{}", epsilon, delta);
+      record.request.sizing.epsilon = epsilon;
+      record.request.sizing.delta = delta;
+      record.request.aside = true;
+      const TriangleMesh mesh = sample_meshes::torus(static_cast<std::uint32_t>(6.0 / epsilon));
+      store(record, mesh, folder.path());
+      results.records.push_back(record);
+    }
+  }
+  write_plan(results, folder.path());
+  const Pictures pictures = make_pictures(results, folder.path());
+  ASSERT_EQ(pictures.pictures.size(), 6U);  // and none beside them: they are aside
+  EXPECT_EQ(pictures.across, 3U);
+  EXPECT_EQ(pictures.pictures[3].title, "ε 0.5, δ 0.6");
+  EXPECT_TRUE(pictures.turnable.empty());
+}
+
+}  // namespace
+}  // namespace isobench

@@ -1,0 +1,180 @@
+// Histograms: of triangles, edges, angles and vertices.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "isobench/reports/plots/plots.h"
+
+namespace isobench {
+
+namespace {
+
+using HistogramOf = const Histogram& (*)(const Measurement&);
+
+// The runs of one entry together, bin by bin; without bins where they do not fit together.
+Histogram sum(const Runs& runs, HistogramOf histogram_of) {
+  Histogram all;
+  for (const RunRecord* run : gated(runs)) {
+    const Histogram& next = histogram_of(*run->measurement);
+    if (all.counts.empty()) {
+      all = next;
+      continue;
+    }
+    if (next.counts.size() != all.counts.size()) return {};
+    std::transform(next.counts.begin(), next.counts.end(), all.counts.begin(), all.counts.begin(), std::plus<>());
+  }
+  return all;
+}
+
+double percent(std::size_t count, std::size_t total) {
+  return 100.0 * static_cast<double>(count) / static_cast<double>(total);
+}
+
+Series series_of(const Histogram& histogram, const std::string& name, std::size_t colour) {
+  Series series{name, colour, {}, {}};
+  const std::size_t total = std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0});
+  if (total == 0) return series;
+  const double width = (histogram.high - histogram.low) / static_cast<double>(histogram.counts.size());
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    series.x.push_back(histogram.low + (static_cast<double>(bin) + 0.5) * width);
+    series.y.push_back(percent(histogram.counts[bin], total));
+  }
+  return series;
+}
+
+// One plot a dataset, all methods over each other; `plot` has what they share.
+std::vector<Plot> histogram_plots(const Arrangement& runs, const Plot& shared, HistogramOf histogram_of) {
+  std::vector<Plot> plots;
+  for (const std::string& dataset : runs.datasets) {
+    Plot plot = shared;
+    plot.kind = shared.name;
+    plot.name += "-" + dataset;
+    plot.title += ", " + dataset;
+    plot.marks = Marks::steps;
+    for (std::size_t n = 0; n < runs.variants.size(); ++n) {
+      const Variant& variant = runs.variants[n];
+      Series series = series_of(sum(find_runs(variant, dataset), histogram_of), variant.name, n);
+      if (!series.x.empty()) plot.series.push_back(std::move(series));
+    }
+    if (!plot.empty()) plots.push_back(std::move(plot));
+  }
+  return plots;
+}
+
+}  // namespace
+
+std::vector<Plot> radius_ratio_plots(const Arrangement& runs) {
+  Plot plot;
+  plot.name = "radius-ratio";
+  plot.title = "Radius ratios of the triangles";
+  plot.caption =
+      "2 r_in / r_circ: 1 is an equilateral triangle, 0 one without area. Laid out as Figure 5 of the paper.";
+  plot.x_label = "radius ratio";
+  plot.y_label = "triangles, % a bin of 0.01";
+  plot.x_high = 1.0;
+  return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.radius_ratio.histogram; });
+}
+
+std::vector<Plot> edge_length_plots(const Arrangement& runs) {
+  Plot plot;
+  plot.name = "edge-over-h0";
+  plot.title = "Edge lengths over h0";
+  plot.caption =
+      "h0 is the longest edge that the sampling theory allows at a place: right of 1 a mesh is too coarse there. What "
+      "is "
+      "longer than 2 stands in the last bin. Laid out as Figures 3 and 4 of the paper.";
+  plot.x_label = "edge length / h0";
+  plot.y_label = "edges, % a bin of 0.01";
+  plot.x_high = 2.0;
+  return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.edges.histogram; });
+}
+
+std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
+  std::vector<Plot> plots;
+  for (const EdgesOverH& edges : over_h) {
+    Plot plot;
+    plot.kind = "edge-over-h";
+    plot.name = fmt::format("edge-over-h-{}-{}", edges.dataset, edges.method);
+    plot.title = fmt::format("Edge lengths over h, {}, {}", edges.dataset, edges.method);
+    plot.caption =
+        "h is the sizing field that the particles were asked for: the mean of both ends. The last bin has all "
+        "that is longer.";
+    plot.x_label = "edge length / h";
+    plot.y_label = "edges, % a bin of 0.01";
+    plot.marks = Marks::steps;
+    plot.x_high = 2.0;
+    Histogram histogram(0.0, 2.0, edges.counts.size());
+    std::copy(edges.counts.begin(), edges.counts.end(), histogram.counts.begin());
+    Series series = series_of(histogram, edges.method, 0);
+    if (!series.x.empty()) plot.series.push_back(std::move(series));
+    if (!plot.empty()) plots.push_back(std::move(plot));
+  }
+  if (plots.empty()) return plots;
+  Plot circle;
+  circle.kind = circle.name = "contraction";
+  circle.title = "Particles on a circle, equally spaced";
+  circle.caption =
+      "How far two particles with one between them are apart, over twice the distance of neighbours, from "
+      "equation 6: neighbours are at most ε radii apart.";
+  circle.x_label = "distance of neighbours, radii of the circle";
+  circle.y_label = "distance of every second / twice that";
+  circle.series.push_back({"on a circle", 0, {}, {}});
+  circle.series.push_back({"on a line", 6, {0.0, 1.0}, {1.0, 1.0}});
+  for (int n = 0; n <= 100; ++n) {
+    const double d = 0.01 * n;
+    circle.series[0].x.push_back(d);
+    circle.series[0].y.push_back(std::sqrt(1.0 - 0.25 * d * d));
+  }
+  plots.insert(plots.begin(), std::move(circle));
+  return plots;
+}
+
+std::vector<Plot> angle_plots(const Arrangement& runs) {
+  Plot plot;
+  plot.name = "angle";
+  plot.title = "Angles of the triangles";
+  plot.caption = "All three of each triangle; 60° is an equilateral one's.";
+  plot.x_label = "angle, degrees";
+  plot.y_label = "angles, % a degree";
+  plot.x_high = 180.0;
+  return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.angles.histogram; });
+}
+
+std::vector<Plot> valence_plots(const Arrangement& runs) {
+  constexpr std::size_t lowest = 3;
+  constexpr std::size_t highest = 10;
+  std::vector<Plot> plots;
+  for (const std::string& dataset : runs.datasets) {
+    Plot plot;
+    plot.name = "valence-" + dataset;
+    plot.title = "Valences of the vertices, " + dataset;
+    plot.caption = "Edges at a vertex; 6 is regular.";
+    plot.x_label = "valence";
+    plot.y_label = "vertices, %";
+    plot.marks = Marks::bars;
+    for (std::size_t v = lowest; v <= highest; ++v) plot.categories.push_back(fmt::format("{}", v));
+    plot.categories.front().insert(0, "≤ ");
+    plot.categories.back().insert(0, "≥ ");
+    for (std::size_t n = 0; n < runs.variants.size(); ++n) {
+      Series series{runs.variants[n].name, n, {}, std::vector<double>(plot.categories.size(), 0.0)};
+      std::size_t total = 0;
+      for (const RunRecord* run : gated(find_runs(runs.variants[n], dataset))) {
+        const std::vector<std::size_t>& counts = run->measurement->valence.counts;
+        for (std::size_t v = 0; v < counts.size(); ++v) {
+          series.y[std::clamp(v, lowest, highest) - lowest] += static_cast<double>(counts[v]);
+          total += counts[v];
+        }
+      }
+      if (total == 0) continue;
+      for (double& y : series.y) y *= 100.0 / static_cast<double>(total);
+      for (std::size_t c = 0; c < series.y.size(); ++c) series.x.push_back(static_cast<double>(c));
+      plot.series.push_back(std::move(series));
+    }
+    if (!plot.empty()) plots.push_back(std::move(plot));
+  }
+  return plots;
+}
+
+}  // namespace isobench

@@ -1,0 +1,185 @@
+// [[claim]] of a file of published figures.
+#include "isobench/reports/published/published_claim.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "isobench/reports/published/published.h"
+#include "isobench/reports/record/figure_values.h"
+
+namespace isobench {
+
+namespace {
+
+const std::vector<std::pair<std::string, Relation>>& relations() {
+  static const std::vector<std::pair<std::string, Relation>> all = {{"~", Relation::about},
+                                                                    {"<", Relation::below},
+                                                                    {">", Relation::above},
+                                                                    {"<<", Relation::far_below},
+                                                                    {">>", Relation::far_above}};
+  return all;
+}
+
+std::string known_name(const TomlValue& value, const std::string& name, const std::string& what,
+                       const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw UsageError(value.place(), "unknown " + what + " '" + name + "'" + suggestion(name, known));
+  }
+  return name;
+}
+
+std::vector<std::string> printed_methods(const Published& published) {
+  std::vector<std::string> names;
+  for (const PublishedMethod& method : published.methods) names.push_back(method.printed);
+  return names;
+}
+
+Relation relation_from(const TomlValue& order, const std::string& sign) {
+  std::vector<std::string> known;
+  for (const auto& [text, relation] : relations()) {
+    if (text == sign) return relation;
+    known.push_back(text);
+  }
+  throw UsageError(order.place(),
+                   fmt::format("'{}' is no relation between two methods; known are: {}", sign, fmt::join(known, ", ")));
+}
+
+bool upward(Relation relation) { return relation == Relation::below || relation == Relation::far_below; }
+bool downward(Relation relation) { return relation == Relation::above || relation == Relation::far_above; }
+
+void read_order(PublishedClaim& claim, const TomlValue& order, const Published& published) {
+  std::istringstream words(order.as_string());
+  for (std::string word; words >> word;) {
+    if (claim.order.size() == claim.relations.size())
+      claim.order.push_back(known_name(order, word, "published method", printed_methods(published)));
+    else
+      claim.relations.push_back(relation_from(order, word));
+  }
+  if (claim.order.size() < 2 || claim.order.size() == claim.relations.size()) {
+    throw UsageError(order.place(), "an order is of at least two methods, e.g. \"ps > af > mc\"");
+  }
+  // Of "a > b < c" nothing follows for a and c where b was not run.
+  if (std::any_of(claim.relations.begin(), claim.relations.end(), upward) &&
+      std::any_of(claim.relations.begin(), claim.relations.end(), downward)) {
+    throw UsageError(order.place(), "an order goes one way; make two claims of one that turns");
+  }
+}
+
+double positive(const TomlValue& value, double at_least, const std::string& what) {
+  const double number = value.as_number();
+  if (!(number > at_least)) {
+    throw UsageError(value.place(), fmt::format("{} is {}; it must be more than {}", what, number, at_least));
+  }
+  return number;
+}
+
+// `about` and `much` say what "~" and ">>" mean, so they stand exactly where those do.
+double meaning_of(const TomlValue& table, const std::string& key, const std::string& sign, bool used, double at_least) {
+  const std::optional<TomlValue> value = table.find(key);
+  if (used && !value) throw UsageError(table.place(), "the order uses '" + sign + "' but '" + key + "' is missing");
+  if (!used && value) throw UsageError(value->place(), "'" + key + "' has no '" + sign + "' in an order to explain");
+  return value ? positive(*value, at_least, key) : 0.0;
+}
+
+void read_meanings(PublishedClaim& claim, const TomlValue& table) {
+  const auto uses = [&claim](Relation relation) {
+    return std::find(claim.relations.begin(), claim.relations.end(), relation) != claim.relations.end();
+  };
+  claim.about = meaning_of(table, "about", "~", uses(Relation::about), 0.0);
+  claim.much = meaning_of(table, "much", ">>", uses(Relation::far_above) || uses(Relation::far_below), 1.0);
+}
+
+void read_trend(PublishedClaim& claim, const TomlValue& table) {
+  const std::optional<TomlValue> smaller = table.find("smaller");
+  if (!smaller) return;
+  claim.smaller = known_name(*smaller, smaller->as_string(), "sampling parameter", {"epsilon", "delta"});
+  const TomlValue gives = table.require("gives");
+  claim.gives_larger = known_name(gives, gives.as_string(), "trend", {"smaller", "larger"}) == "larger";
+}
+
+void read_bounds(PublishedClaim& claim, const TomlValue& table) {
+  if (const auto bound = table.find("at_most")) claim.at_most = bound->as_number();
+  if (const auto bound = table.find("at_least")) claim.at_least = bound->as_number();
+}
+
+void check_form(const PublishedClaim& claim, const TomlValue& table) {
+  const int forms =
+      (claim.order.empty() ? 0 : 1) + (claim.at_most || claim.at_least ? 1 : 0) + (claim.smaller.empty() ? 0 : 1);
+  if (forms != 1) {
+    throw UsageError(table.place(), "a claim has exactly one form: order, at_most and at_least, or smaller and gives");
+  }
+  if (claim.order.empty() == claim.method.empty()) {
+    throw UsageError(table.place(), claim.order.empty() ? "the claim does not say of which method"
+                                                        : "the order names the methods; remove 'method'");
+  }
+  if (claim.average && claim.order.empty()) {
+    throw UsageError(table.place(), "data = \"average\" is for orders; remove it");
+  }
+}
+
+std::string quantity_of(const PublishedClaim& claim, const TomlValue& table, const Published& published) {
+  std::vector<std::string> known;
+  for (const PublishedQuantity& quantity : published.quantities) known.push_back(quantity.name);
+  if (const auto named = table.find("published")) {
+    return known_name(*named, named->as_string(), "published quantity", known);
+  }
+  const bool single = claim.figures.size() == 1;
+  return single && std::find(known.begin(), known.end(), claim.figures.front()) != known.end() ? claim.figures.front()
+                                                                                               : "";
+}
+
+}  // namespace
+
+PublishedClaim claim_from(const TomlValue& table, const Published& published) {
+  table.allow_keys({"words", "differs", "figure", "published", "order", "about", "much", "data", "method", "at_most",
+                    "at_least", "smaller", "gives"},
+                   "[[claim]]");
+  PublishedClaim claim;
+  claim.words = table.require("words").as_string();
+  if (const auto differs = table.find("differs")) claim.differs = differs->as_string();
+  for (const TomlValue& figure : table.require("figure").as_list()) {
+    claim.figures.push_back(known_name(figure, figure.as_string(), "figure", figure_names()));
+  }
+  if (claim.figures.empty()) throw UsageError(table.require("figure").place(), "figure is an empty list");
+  claim.quantity = quantity_of(claim, table, published);
+  if (const auto order = table.find("order")) read_order(claim, *order, published);
+  read_meanings(claim, table);
+  if (const auto data = table.find("data")) {
+    claim.average = known_name(*data, data->as_string(), "way to take the data", {"each", "average"}) == "average";
+  }
+  if (const auto method = table.find("method")) {
+    claim.method = known_name(*method, method->as_string(), "published method", printed_methods(published));
+  }
+  read_bounds(claim, table);
+  read_trend(claim, table);
+  check_form(claim, table);
+  return claim;
+}
+
+std::string rule_text(const PublishedClaim& claim) {
+  std::string text;
+  if (!claim.order.empty()) {
+    text = claim.order.front();
+    for (std::size_t i = 0; i < claim.relations.size(); ++i) {
+      for (const auto& [sign, relation] : relations()) {
+        if (relation == claim.relations[i]) text += " " + sign + " " + claim.order[i + 1];
+      }
+    }
+    text = fmt::format("{} of {}", text, fmt::join(claim.figures, " + "));
+    if (claim.about > 0.0) text += fmt::format("; ~ is within {} %", 100.0 * claim.about);
+    if (claim.much > 0.0) text += fmt::format("; >> and << are by a factor of {} or more", claim.much);
+    return text + (claim.average ? "; mean over the data sets" : "; on each data set");
+  }
+  text = fmt::format("{} of {}", fmt::join(claim.figures, " + "), claim.method);
+  if (!claim.smaller.empty()) {
+    return fmt::format("{} gets {} as {} gets smaller and nothing else changes; of several seeds the median", text,
+                       claim.gives_larger ? "larger" : "smaller", claim.smaller);
+  }
+  if (claim.at_least) text += fmt::format(" is at least {}", *claim.at_least);
+  if (claim.at_most) text += fmt::format("{} at most {}", claim.at_least ? " and" : " is", *claim.at_most);
+  return text + "; on each data set";
+}
+
+}  // namespace isobench

@@ -1,0 +1,61 @@
+// Numbers by name, of which very many can be held.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "isobench/reports/record/shared.h"
+
+namespace isobench {
+
+/// Numbers by name, in the order of the names, made at once from a map. Runs of one method have the same names, which
+/// take ten times what the numbers do: they can be held together.
+class NamedNumbers {
+ public:
+  using Names = std::vector<std::string>;
+
+  class Iterator {
+   public:
+    Iterator(const NamedNumbers& all, std::size_t index) : all_(&all), index_(index) {}
+    std::pair<const std::string&, double> operator*() const { return {(*all_->names_)[index_], all_->values_[index_]}; }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+
+   private:
+    const NamedNumbers* all_;
+    std::size_t index_;
+  };
+
+  NamedNumbers() = default;
+  NamedNumbers(const std::map<std::string, double>& numbers) {  // NOLINT: stands where a map would stand
+    Names names;
+    names.reserve(numbers.size());
+    values_.reserve(numbers.size());
+    for (const auto& [name, value] : numbers) {
+      names.push_back(name);
+      values_.push_back(value);
+    }
+    names_ = std::move(names);
+  }
+  NamedNumbers(std::initializer_list<std::pair<const std::string, double>> numbers)
+      : NamedNumbers(std::map<std::string, double>(numbers)) {}
+
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, values_.size()}; }
+
+  /// Holds its names together with others that have the same.
+  void share_names(SharedPool<Names>& pool) { names_ = pool.first_of(names_); }
+
+ private:
+  Shared<Names> names_;
+  std::vector<double> values_;  ///< as many as names
+};
+
+}  // namespace isobench

@@ -1,0 +1,145 @@
+// What a run leaves behind: run.json, and how it is read back.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/monitor.h"
+#include "isobench/methods/parameters.h"
+#include "isobench/methods/sizing/sizing_field.h"
+#include "isobench/metrics/measurement.h"
+#include "isobench/reports/record/environment.h"
+#include "isobench/reports/record/named_numbers.h"
+#include "isobench/reports/record/shared.h"
+
+namespace isobench {
+
+using ParameterValues = std::map<std::string, ParameterValue>;
+
+/// What one run was asked: a cell of an experiment's plan. All but label, limits, `alone`, `artefacts` and
+/// `aside` determines its name.
+struct RunRequest {
+  std::string run;  ///< name of its folder, e.g. "skull-particles-e0.5-d0.3-s1-1f2a9c3e"
+  std::string dataset;
+  std::string dataset_checksum;
+  std::string method;
+  int method_revision = 1;
+  std::string label;                   ///< tells apart two entries of one method
+  Shared<ParameterValues> parameters;  ///< complete: every parameter of the method
+  SizingRequest sizing;
+  std::string match_to;  ///< the run whose number of vertices this one is brought to; "" where none is
+  std::uint64_t seed = 1;
+  int repeat = 1;                         ///< which of several runs of one cell, for their seconds
+  bool alone = false;                     ///< its seconds count: nothing else of its experiment runs beside it
+  bool artefacts = false;                 ///< leave the medial axis, the sizing and the particles behind, too
+  bool aside = false;                     ///< for a figure of its own: not in the tables that compare
+  int reference_k = default_reference_k;  ///< refinement at which the reference topology is counted
+  int metrics_revision = 1;
+  std::optional<double> limit_minutes;
+  std::optional<double> limit_memory_gb;
+};
+
+enum class Status {
+  ok,
+  failed,         ///< an error or a crash
+  timeout,        ///< stopped at its limit of minutes
+  out_of_memory,  ///< stopped at its limit of memory, or an allocation failed
+  skipped,        ///< the method cannot do this task, by its own word
+};
+/// "ok", "failed", "timeout", "out of memory", "skipped".
+std::string to_string(Status status);
+
+/// The dataset as it was meshed.
+struct DatasetRecord {
+  std::string title;
+  std::string source;
+  std::vector<std::string> preparation;
+  Lattice lattice;
+  double isovalue = 0.0;
+  std::string inside;  ///< "above" or "below"
+  std::string kernel;  ///< as to_string(Kernel) names it
+};
+
+/// What matching came to. The mesh is measured against the sizing as it was asked for, not as it was scaled.
+struct MatchRecord {
+  double vertices = 0.0;  ///< asked for
+  double scale = 1.0;     ///< factor on the edge lengths, as scaled() puts it
+  int tries = 0;          ///< meshes made on the way; seconds and memory are those of the one that was kept
+  std::string reason;     ///< why the number could not be reached; "" where it was
+};
+
+/// The sizing that came out of the request, mm.
+struct SizingRecord {
+  bool uniform = false;
+  double floor = 0.0;
+  double smallest = 0.0;
+  double largest = 0.0;
+};
+
+/// Who took the figures of a record, where that was not the run itself.
+struct MeasuredAgain {
+  std::string when;  ///< UTC, ISO 8601
+  std::string commit;
+  bool dirty = false;
+};
+
+struct RunRecord {
+  static constexpr int schema_version = 1;
+
+  RunRequest request;
+  Status status = Status::failed;
+  std::string reason;   ///< empty where status is ok
+  std::string started;  ///< UTC, ISO 8601
+  int threads = 0;
+  bool deterministic = true;  ///< as the method declares
+  Environment environment;
+
+  std::optional<DatasetRecord> dataset;  ///< where the run came as far as loading it
+  std::optional<MatchRecord> match;      ///< exactly where the request has match_to and the status is ok
+  std::optional<SizingRecord> sizing;
+  std::optional<Measurement> measurement;  ///< exactly where status is ok
+  std::optional<MeasuredAgain> measured_again;
+  std::string mesh_checksum;  ///< checksum() of the mesh in mesh.vtp; "" where there is none
+
+  double seconds_prepare = 0.0;  ///< reading and preparing the volume, wall
+  double seconds_sizing = 0.0;   ///< the sizing field that the method asked for
+  double seconds_method = 0.0;   ///< the method without it
+  double seconds_total = 0.0;    ///< sizing + method
+  double peak_memory_mb = 0.0;   ///< of the process, or of a program that it ran, up to the finished mesh
+
+  std::vector<StageTime> stages;
+  NamedNumbers counters;
+  std::map<std::string, std::vector<double>> traces;
+  std::vector<std::string> notes;
+};
+
+/// Names of figures as in results.csv. Numbers that are not finite become null.
+std::string to_json(const RunRecord& record);
+/// Throws DataError, naming `origin`, for text that is no record or one of a newer schema.
+RunRecord record_from_json(const std::string& text, const std::string& origin);
+
+void write_record(const RunRecord& record, const std::filesystem::path& path);
+RunRecord read_record(const std::filesystem::path& path);
+
+/// The figures of a measurement alone, by the same names (`isobench measure --json`).
+std::string to_json(const Measurement& measurement);
+
+/// A plan: every cell of an experiment, as plan.json keeps it.
+std::string plan_to_json(const std::vector<RunRequest>& plan);
+void write_plan(std::ostream& file, const std::vector<RunRequest>& plan);
+std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin);
+
+/// Whole files. Writing goes to a temporary name beside the target and is renamed, so no reader sees a half.
+std::string read_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+/// The same for what is too long to be held as one text.
+void write_text(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+
+}  // namespace isobench

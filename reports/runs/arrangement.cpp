@@ -1,0 +1,87 @@
+#include "isobench/reports/runs/arrangement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "isobench/reports/runs/timing.h"
+
+namespace isobench {
+
+namespace {
+
+// What has to be said of a run so that no other of its dataset reads the same, but for seed and repeat.
+class Naming {
+ public:
+  explicit Naming(const std::vector<RunRecord>& records) {
+    std::map<std::string, std::set<std::string>> sizings;
+    std::map<std::string, std::set<int>> references;
+    for (const RunRecord& record : records) {
+      if (record.request.aside) continue;
+      const std::string key = record.request.dataset + "/" + record.request.label;
+      sizings[key].insert(sizing_name(record.request.sizing));
+      references[key].insert(record.request.reference_k);
+    }
+    for (const auto& [key, values] : sizings) several_sizings_ = several_sizings_ || values.size() > 1;
+    for (const auto& [key, values] : references) several_references_ = several_references_ || values.size() > 1;
+  }
+  std::string operator()(const RunRequest& request) const {
+    std::string name = request.label;
+    if (several_sizings_) name += ", " + sizing_name(request.sizing);
+    if (several_references_) name += fmt::format(", reference k {}", request.reference_k);
+    return name;
+  }
+
+ private:
+  bool several_sizings_ = false;
+  bool several_references_ = false;
+};
+
+}  // namespace
+
+std::string sizing_name(const SizingRequest& sizing) {
+  std::string text;
+  if (sizing.epsilon) text = fmt::format("ε {}, δ {}", *sizing.epsilon, sizing.delta.value_or(0.0));
+  if (sizing.edge_length) text = fmt::format("{} mm", *sizing.edge_length);
+  if (sizing.vertices) text = fmt::format("{} vertices", *sizing.vertices);
+  return sizing.floor == SizingRequest{}.floor ? text : text + fmt::format(", floor {} voxels", sizing.floor);
+}
+
+Arrangement arrange(const Results& results) {
+  const Naming naming(results.records);
+  Arrangement arrangement;
+  for (const RunRecord& record : results.records) {
+    const RunRequest& request = record.request;
+    if (request.aside) continue;
+    auto& datasets = arrangement.datasets;
+    if (std::find(datasets.begin(), datasets.end(), request.dataset) == datasets.end()) {
+      datasets.push_back(request.dataset);
+    }
+    const std::string name = naming(request);
+    auto variant = std::find_if(arrangement.variants.begin(), arrangement.variants.end(),
+                                [&name](const Variant& candidate) { return candidate.name == name; });
+    if (variant == arrangement.variants.end()) {
+      variant = arrangement.variants.insert(variant, Variant{name, request.method, {}});
+    }
+    variant->runs[request.dataset].push_back(&record);
+  }
+  arrangement.timing = usual_timing(arrangement);
+  return arrangement;
+}
+
+const Runs& find_runs(const Variant& variant, const std::string& dataset) {
+  static const Runs none;
+  const auto found = variant.runs.find(dataset);
+  return found == variant.runs.end() ? none : found->second;
+}
+
+const RunRecord* find_run(const Variant& variant, const std::string& dataset) {
+  const Runs& runs = find_runs(variant, dataset);
+  if (runs.empty()) return nullptr;
+  const auto done =
+      std::find_if(runs.begin(), runs.end(), [](const RunRecord* run) { return run->status == Status::ok; });
+  return done == runs.end() ? runs.front() : *done;
+}
+
+}  // namespace isobench

@@ -1,0 +1,190 @@
+#include "isobench/reports/tables/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "isobench/reports/record/figure_values.h"
+#include "isobench/reports/runs/timing.h"
+#include "isobench/reports/tables/table_parts.h"
+
+namespace isobench {
+
+namespace {
+
+// Of seconds only those that compare.
+double median_of(const Arrangement& arrangement, const Runs& runs, const Question& question) {
+  std::vector<double> values;
+  for (const RunRecord* run : question.timed ? timed_so(gated(runs), arrangement.timing) : gated(runs))
+    values.push_back(figure_value(*run, question.figure));
+  return spread_of(std::move(values)).median;
+}
+
+// "3 of 4": of the finished runs of a method, those that pass.
+template <class Test>
+TableCell share(const Runs& runs, Test&& passes) {
+  const auto count = std::count_if(runs.begin(), runs.end(), [&passes](const RunRecord* run) { return passes(*run); });
+  return fmt::format("{} of {}", count, runs.size());
+}
+
+bool right_topology(const RunRecord& run) {
+  const Measurement& m = *run.measurement;
+  return m.topology.closed_manifold() && m.topology.euler == m.reference.euler &&
+         m.topology.components == m.reference.components;
+}
+
+TableCell figure_cell(double value, const Print& print) {
+  TableCell cell;
+  cell.figures.push_back({{value, value, value}, print});
+  return cell;
+}
+
+}  // namespace
+
+const std::vector<Question>& questions() {
+  static const std::vector<Question> all = {
+      {"Worst triangle: radius ratio", "radius_ratio_min", true, "", 3},
+      {"Triangles on average: radius ratio", "radius_ratio_avg", true, "", 3},
+      {"Smallest angle", "angle_min", true, "°", 3},
+      {"Largest angle", "angle_max", false, "°", 3},
+      {"Vertices of valence 6", "valence_6_percent", true, "%", 3},
+      {"Edges longer than h0", "edge_over_h0_exceed_percent", false, "%", 2},
+      {"Mean distance to the surface", "distance_mean", false, "mm", 3},
+      {"Time, sizing and method", "seconds_total", false, "s", 3, true},
+      {"Peak memory", "peak_memory_mb", false, "MB", 3},
+  };
+  return all;
+}
+
+Best best(const Question& question, const Arrangement& runs, const std::string& dataset) {
+  const Print print = to_significant(question.digits);
+  std::map<std::string, double> values;
+  Best best;
+  bool any = false;
+  for (const Variant& variant : runs.variants) {
+    const double value = median_of(runs, find_runs(variant, dataset), question);
+    if (!std::isfinite(value)) continue;
+    values[variant.name] = value;
+    if (!any || (question.larger ? value > best.value : value < best.value)) best.value = value;
+    any = true;
+  }
+  if (!any) return best;
+  for (const Variant& variant : runs.variants) {
+    const auto value = values.find(variant.name);
+    if (value == values.end() || print(value->second) != print(best.value)) continue;
+    best.names.push_back(variant.name);
+    best.text += (best.text.empty() ? "" : ", ") + variant.name + marks(find_runs(variant, dataset));
+  }
+  best.text += fmt::format(": {}{}{}", print(best.value), question.unit.empty() || question.unit == "°" ? "" : " ",
+                           question.unit);
+  return best;
+}
+
+Table best_table(const Arrangement& runs) {
+  Table table;
+  table.title = "Best at what, on which data";
+  table.header = {"Asked"};
+  table.header.insert(table.header.end(), runs.datasets.begin(), runs.datasets.end());
+  table.label_columns = 1;
+  for (const Question& question : questions()) {
+    TableRow row = {question.name};
+    bool any = false;
+    for (const std::string& dataset : runs.datasets) {
+      const Best answer = best(question, runs, dataset);
+      any = any || !answer.names.empty();
+      row.emplace_back(answer.names.empty() ? "–" : answer.text);
+    }
+    if (any) table.rows.push_back(std::move(row));
+  }
+  say_how_timed(runs, table);
+  return table;
+}
+
+Table methods_table(const Arrangement& runs) {
+  Table table;
+  table.title = "The methods at a glance, over all data sets";
+  table.header = {"Method",
+                  "Finished",
+                  "Closed manifold",
+                  "The surface's own χ and components",
+                  "Smallest radius ratio anywhere",
+                  "Average radius ratio",
+                  "Valence 6, %",
+                  "Vertices in all",
+                  "Seconds in all",
+                  "Seconds per 100,000 vertices"};
+  table.label_columns = 1;
+  for (const Variant& variant : runs.variants) {
+    Runs all;
+    Runs done;
+    for (const std::string& dataset : runs.datasets) {
+      const Runs& here = find_runs(variant, dataset);
+      all.insert(all.end(), here.begin(), here.end());
+    }
+    done = finished(all);
+    TableRow row = {variant.name, share(all, [](const RunRecord& run) { return run.status == Status::ok; })};
+    if (done.empty()) {
+      row.insert(row.end(), table.header.size() - row.size(), TableCell("–"));
+      table.rows.push_back(std::move(row));
+      continue;
+    }
+    double smallest = 1.0;
+    double average = 0.0;
+    double six = 0.0;
+    double vertices = 0.0;
+    double seconds = 0.0;
+    for (const RunRecord* run : done) {
+      smallest = std::min(smallest, run->measurement->radius_ratio.min);
+      average += run->measurement->radius_ratio.avg / static_cast<double>(done.size());
+      six += run->measurement->valence.v6_percent / static_cast<double>(done.size());
+      vertices += static_cast<double>(run->measurement->vertices);
+      seconds += run->seconds_total;
+    }
+    row.push_back(share(done, sound));
+    row.push_back(share(done, right_topology));
+    row.push_back(figure_cell(smallest, to_significant(3)));
+    row.push_back(figure_cell(average, to_significant(3)));
+    row.push_back(figure_cell(six, to_significant(3)));
+    row.push_back(figure_cell(vertices, as_number()));
+    // A sum that lacks some of its runs would be no sum of them all.
+    const bool alike = timed_so(done, runs.timing).size() == done.size();
+    row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
+    row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
+    table.rows.push_back(std::move(row));
+  }
+  table.remarks = {
+      "Averages are over the finished runs, each counting the same. What the surface's own χ and components are is "
+      "counted without any mesh, on a refined lattice: see the topology table."};
+  say_how_timed(runs, table);
+  return table;
+}
+
+std::vector<std::string> best_sentences(const Arrangement& runs) {
+  std::vector<std::string> sentences;
+  if (runs.variants.size() < 2) return sentences;
+  for (const Question& question : questions()) {
+    std::map<std::string, int> wins;
+    int asked = 0;
+    for (const std::string& dataset : runs.datasets) {
+      const Best answer = best(question, runs, dataset);
+      if (answer.names.empty()) continue;
+      ++asked;
+      for (const std::string& name : answer.names) ++wins[name];
+    }
+    if (asked == 0) continue;
+    std::string text;
+    for (const Variant& variant : runs.variants) {
+      const auto won = wins.find(variant.name);
+      if (won == wins.end()) continue;
+      const bool everywhere = won->second == asked && wins.size() == 1;
+      const std::string where = everywhere ? "all" : fmt::format("{}", won->second);
+      text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, where);
+    }
+    sentences.push_back(fmt::format("{}: {} of {} data set{}.", question.name, text, asked, asked == 1 ? "" : "s"));
+  }
+  return sentences;
+}
+
+}  // namespace isobench

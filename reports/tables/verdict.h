@@ -1,0 +1,41 @@
+// Which method is best at what, on which data, at what cost: what a reader wants to know first.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/tables/table.h"
+
+namespace isobench {
+
+/// A question that figures answer.
+struct Question {
+  std::string name;    ///< "Worst triangle"
+  std::string figure;  ///< as figure_value() knows it
+  bool larger = true;  ///< is better
+  std::string unit;
+  int digits = 3;      ///< significant: what prints alike counts alike
+  bool timed = false;  ///< seconds: asked only of runs that were timed alike
+};
+const std::vector<Question>& questions();
+
+/// The methods that answer a question best on a dataset, by the medians of the runs that count (gated()); several where
+/// they print alike, none where nothing was measured.
+struct Best {
+  std::vector<std::string> names;
+  double value = 0.0;
+  std::string text;  ///< "particles 0.153", with "†" for a mesh that is not closed and manifold
+};
+Best best(const Question& question, const Arrangement& runs, const std::string& dataset);
+
+/// A row a question, a column a dataset.
+Table best_table(const Arrangement& runs);
+
+/// A row a method, over all data sets: sound meshes, right topology, quality and cost.
+Table methods_table(const Arrangement& runs);
+
+/// The same as sentences: "Worst triangle: particles on 3, advancing-front on 1 of 4 data sets."
+std::vector<std::string> best_sentences(const Arrangement& runs);
+
+}  // namespace isobench
