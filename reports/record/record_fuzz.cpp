@@ -3,6 +3,7 @@
 
 #include "isobench/foundation/names.h"
 #include "isobench/foundation/testing/fuzz_target.h"
+#include "isobench/reports/claims/claims.h"
 #include "isobench/reports/csv/results_csv.h"
 #include "isobench/reports/latex/latex.h"
 #include "isobench/reports/tables/tables.h"
