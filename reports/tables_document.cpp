@@ -7,7 +7,7 @@
 #include <set>
 
 #include "isobench/reports/claims/claims.h"
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/tables/table_parts.h"
 #include "isobench/reports/tables/tables.h"
@@ -73,7 +73,7 @@ std::string footnotes(const Results& results) {
 
 // Methods that promise the same mesh for the same seed, and did not keep it.
 std::string broken_promises(const Results& results) {
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   std::string text;
   for (const std::string& dataset : runs.datasets) {
     for (const Variant& variant : runs.variants) {
@@ -91,7 +91,7 @@ std::string broken_promises(const Results& results) {
 
 std::string markdown_tables(const Results& results) {
   std::string text = "# " + results.title + "\n\n" + provenance(results) + gaps(results) + broken_promises(results);
-  if (!seed_table(arrange(results)).empty()) {
+  if (!seed_table(arrange_runs(results)).empty()) {
     text +=
         "Where a row says seeds or repeats, a figure is the median of the finished runs and, in brackets, their "
         "range (smallest–largest).\n\n";

@@ -5,7 +5,7 @@
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
-#include "isobench/experiments/runner/fault.h"
+#include "isobench/experiments/runner/fault_injection.h"
 
 namespace isobench {
 

@@ -6,7 +6,7 @@
 #include <new>
 
 #include "isobench/experiments/plan/matching.h"
-#include "isobench/experiments/runner/fault.h"
+#include "isobench/experiments/runner/fault_injection.h"
 #include "isobench/foundation/processes.h"
 #include "isobench/methods/mesh/mesh_checksum.h"
 #include "isobench/methods/mesh_files/mesh_files.h"

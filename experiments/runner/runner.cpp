@@ -11,7 +11,7 @@
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
 #include "isobench/experiments/runner/child.h"
-#include "isobench/experiments/runner/ending.h"
+#include "isobench/experiments/runner/child_outcome.h"
 #include "isobench/experiments/runner/stop_signals.h"
 
 namespace isobench {
@@ -213,7 +213,7 @@ class Runner {
   bool step(Active& active) {
     const double seconds = active.child.seconds();
     if (const std::optional<ChildExit> exit = active.child.poll()) {
-      const EndRecord end = record_of_end(active.request, *exit, seconds, active.claim.folder());
+      const ChildOutcome end = outcome_of(active.request, *exit, seconds, active.claim.folder());
       if (end.own && exit->code == 3) ++summary_.data;
       store(active, end.record, end.own, seconds);
       return true;

@@ -27,7 +27,7 @@ void book(const particles::Cure& cured, Monitor& monitor) {
 class Mesher {
  public:
   /// `smaller` is where `spacing` looks for smaller places.
-  Mesher(const MeshingTask& task, const particles::Spacing& spacing, particles::SmallPlaces& smaller, Monitor& monitor)
+  Mesher(const MeshingTask& task, const particles::Spacing& spacing, particles::SizeBounds& smaller, Monitor& monitor)
       : task_(task), spacing_(spacing), smaller_(smaller), monitor_(monitor) {}
 
   TriangleMesh mesh() {
@@ -92,7 +92,7 @@ class Mesher {
 
   const MeshingTask& task_;
   const particles::Spacing& spacing_;
-  particles::SmallPlaces& smaller_;
+  particles::SizeBounds& smaller_;
   Monitor& monitor_;
   TriangleMesh lattice_mesh_;
   particles::Particles sites_;
@@ -101,7 +101,7 @@ class Mesher {
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   const auto field = task.sizing_field(monitor);
   constexpr double growth = 0.3;  // of h, a mm, away from where it was made smaller
-  particles::SmallPlaces smaller(task.surface, growth);
+  particles::SizeBounds smaller(task.surface, growth);
   const double contraction = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
   const particles::Spacing spacing{*field, contraction, &smaller};
   return Mesher(task, spacing, smaller, monitor).mesh();

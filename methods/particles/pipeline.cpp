@@ -11,7 +11,7 @@
 #include "isobench/methods/particles/cure/cure.h"
 #include "isobench/methods/particles/finish/finish.h"
 #include "isobench/methods/particles/sampling/biased_population.h"
-#include "isobench/methods/particles/sampling/fine_places.h"
+#include "isobench/methods/particles/sampling/critical_seeds.h"
 #include "isobench/methods/particles/sampling/gauss_seidel.h"
 #include "isobench/methods/particles/sampling/population.h"
 #include "isobench/methods/particles/sampling/relaxation.h"
@@ -119,7 +119,7 @@ Particles seed(const MeshingTask& task, const Spacing& spacing, const std::vecto
     points = eliminate_to_seeds(task.surface, lattice_mesh, spacing, static_cast<std::size_t>(std::llround(ideal)),
                                 task.parameters.number("candidates"), task.seed, monitor);
   }
-  if (!below_floor.empty()) add_seeds_at(below_floor, *spacing.finer, task.surface, spacing, task.seed, points);
+  if (!below_floor.empty()) add_critical_seeds(below_floor, *spacing.finer, task.surface, spacing, task.seed, points);
   monitor.set("particles/seeds", static_cast<double>(points.size()));
   return make_particles(task.surface, spacing, std::move(points));
 }
@@ -195,7 +195,7 @@ void book(const Defects& defects, const std::string& when, Monitor& monitor) {
   monitor.set("cure/lost components " + when, static_cast<double>(defects.lost));
 }
 
-std::vector<Triangle> close_labelled(const MeshingTask& task, const Spacing& spacing, SmallPlaces& finer,
+std::vector<Triangle> close_labelled(const MeshingTask& task, const Spacing& spacing, SizeBounds& finer,
                                      const TriangleMesh& lattice_mesh, Particles& all, Monitor& monitor) {
   LabelledDelaunay delaunay(all.points, task.surface, monitor);
   const CureLimits limits{task.parameters.integer("cure"), task.parameters.integer("cure_relaxations"),
@@ -214,8 +214,8 @@ std::vector<Triangle> close_labelled(const MeshingTask& task, const Spacing& spa
   return delaunay.triangles();
 }
 
-TriangleMesh close(const MeshingTask& task, const Spacing& spacing, SmallPlaces& finer,
-                   const TriangleMesh& lattice_mesh, Particles& all, Monitor& monitor) {
+TriangleMesh close(const MeshingTask& task, const Spacing& spacing, SizeBounds& finer, const TriangleMesh& lattice_mesh,
+                   Particles& all, Monitor& monitor) {
   TriangleMesh result;
   if (chosen(task, "surface", "tight-cocone")) {
     const bool poles = chosen(task, "normals", "poles");
@@ -240,9 +240,9 @@ TriangleMesh close(const MeshingTask& task, const Spacing& spacing, SmallPlaces&
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   const auto field = sizing_field(task, monitor);
   const std::vector<CriticalPoint> below_floor = places_below_the_floor(task, *field, monitor);
-  SmallPlaces finer(task.surface, meshed_delta(task));
+  SizeBounds finer(task.surface, meshed_delta(task));
   if (!below_floor.empty())
-    finer.add(fine_places(below_floor, *task.sizing.epsilon, critical_floor(task), task.surface.voxel()));
+    finer.add(critical_bounds(below_floor, *task.sizing.epsilon, critical_floor(task), task.surface.voxel()));
   const Spacing spacing{*field, contraction(task), &finer};
   TriangleMesh lattice_mesh;
   Particles all;

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "isobench/reports/claims/claim_sides.h"
+#include "isobench/reports/claims/claimed_values.h"
 
 namespace isobench {
 
@@ -23,10 +23,10 @@ std::string published_figures(const Results& results, const PublishedClaim& clai
   return text;
 }
 
-Finding order_finding(const PublishedClaim& claim, const std::vector<Side>& sides) {
+Finding order_finding(const PublishedClaim& claim, const std::vector<ClaimedValue>& sides) {
   Finding finding;
   bool all_hold = true;
-  const Side* last = nullptr;
+  const ClaimedValue* last = nullptr;
   Relation relation = Relation::about;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (i > 0) relation = stronger(relation, claim.relations[i - 1]);
@@ -43,7 +43,7 @@ Finding order_finding(const PublishedClaim& claim, const std::vector<Side>& side
   return finding;
 }
 
-Finding bound_finding(const PublishedClaim& claim, const Side& side) {
+Finding bound_finding(const PublishedClaim& claim, const ClaimedValue& side) {
   Finding finding;
   finding.remark = side.absent;
   if (!side.absent.empty()) return finding;
@@ -81,12 +81,12 @@ Runs within(const Cell& cell, Runs runs) {
   return runs;
 }
 
-std::vector<Side> sides_in(const PublishedClaim& claim, const Results& results, const Cell& cell) {
-  std::vector<Side> sides;
+std::vector<ClaimedValue> sides_in(const PublishedClaim& claim, const Results& results, const Cell& cell) {
+  std::vector<ClaimedValue> sides;
   const std::vector<std::string> methods = claim.order.empty() ? std::vector{claim.method} : claim.order;
   for (const std::string& printed : methods) {
     const PublishedMethod& method = printed_method(*results.published, printed);
-    sides.push_back(side_of(claim, method, within(cell, runs_for(results, method))));
+    sides.push_back(claimed_value(claim, method, within(cell, runs_for(results, method))));
   }
   return sides;
 }
@@ -95,7 +95,7 @@ std::vector<Finding> findings_per_cell(const PublishedClaim& claim, const Result
   std::vector<Finding> findings;
   const std::vector<Cell> cells = cells_of(results);
   for (const Cell& cell : cells) {
-    const std::vector<Side> sides = sides_in(claim, results, cell);
+    const std::vector<ClaimedValue> sides = sides_in(claim, results, cell);
     Finding finding = claim.order.empty() ? bound_finding(claim, sides.front()) : order_finding(claim, sides);
     finding.data = cell.dataset + (several_sizings(cells, cell.dataset) ? ", " + cell.sizing : "");
     finding.published = published_figures(results, claim, cell.dataset);
@@ -109,7 +109,7 @@ Finding average_finding(const PublishedClaim& claim, const Results& results) {
   Finding finding;
   finding.data = "average";
   const std::vector<Cell> cells = cells_of(results);
-  std::vector<Side> means(claim.order.size());
+  std::vector<ClaimedValue> means(claim.order.size());
   int count = 0;
   std::string left_out;
   for (const Cell& cell : cells) {
@@ -117,7 +117,7 @@ Finding average_finding(const PublishedClaim& claim, const Results& results) {
       finding.remark = "no mean over several sizings of one data set";
       return finding;
     }
-    const std::vector<Side> sides = sides_in(claim, results, cell);
+    const std::vector<ClaimedValue> sides = sides_in(claim, results, cell);
     std::string missing;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const bool run_at_all = !runs_for(results, printed_method(*results.published, claim.order[i])).empty();
@@ -135,7 +135,7 @@ Finding average_finding(const PublishedClaim& claim, const Results& results) {
     }
     ++count;
   }
-  for (Side& mean : means) {
+  for (ClaimedValue& mean : means) {
     mean.low /= count;
     mean.high /= count;
   }
@@ -163,10 +163,10 @@ Finding trend_finding(const PublishedClaim& claim, const PublishedMethod& method
   std::map<double, Runs, std::greater<>> steps;
   for (const RunRecord* run : runs) steps[sampling_value(run->request.sizing, claim.smaller)].push_back(run);
   Finding finding;
-  std::optional<Side> last;
+  std::optional<ClaimedValue> last;
   bool all_hold = true;
   for (const auto& [value, group] : steps) {
-    const Side side = side_of(claim, method, group);
+    const ClaimedValue side = claimed_value(claim, method, group);
     const std::string where = fmt::format("{} {}: ", claim.smaller == "epsilon" ? "ε" : "δ", value);
     if (!side.absent.empty()) {
       add_words(finding.remark, ", ", where + side.absent);

@@ -10,7 +10,7 @@
 #include "isobench/reports/claims/claims.h"
 #include "isobench/reports/latex/latex.h"
 #include "isobench/reports/record/figure_values.h"
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/tables.h"
 
 namespace isobench {
@@ -93,7 +93,7 @@ std::string macro_name(const std::vector<std::string>& parts) {
 }
 
 std::string latex_macros(const Results& results) {
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   Macros macros;
   for (const std::string& dataset : runs.datasets) {
     for (const Variant& variant : runs.variants) {

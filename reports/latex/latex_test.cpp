@@ -110,7 +110,7 @@ TEST(Latex, EveryRowHasTheColumnsDeclared) {
 
 TEST(Latex, ValuesAreUnroundedAndRoundedByTheirColumn) {
   const Results results = results_for_latex();
-  const std::string text = latex(radius_ratio_table(results, arrange(results)));
+  const std::string text = latex(radius_ratio_table(results, arrange_runs(results)));
   EXPECT_NE(text.find("S[round-mode=figures,round-precision=3]S[round-mode=places,round-precision=3]"),
             std::string::npos);
   EXPECT_EQ(line_with(text, "particles"),
@@ -121,7 +121,7 @@ TEST(Latex, ValuesAreUnroundedAndRoundedByTheirColumn) {
   EXPECT_NE(text.find("\\par marching-cubes, skull, timeout: not finished after 20 minutes, at 50 \\%"),
             std::string::npos)
       << text;
-  const std::string sizes = latex(sizes_table(results, arrange(results)));
+  const std::string sizes = latex(sizes_table(results, arrange_runs(results)));
   EXPECT_NE(sizes.find("& {Time / s} &"), std::string::npos);
   EXPECT_NE(sizes.find("\\caption{the data sets and their meshes}"), std::string::npos);
   EXPECT_NE(sizes.find("S[table-format=6.0]S[table-format=6.0]@{}l}"), std::string::npos) << sizes;
@@ -129,7 +129,7 @@ TEST(Latex, ValuesAreUnroundedAndRoundedByTheirColumn) {
 }
 
 TEST(Latex, WholeNumbersTakeNoRoomForDecimals) {
-  const std::string topology = latex(topology_table(arrange(results_for_latex())));
+  const std::string topology = latex(topology_table(arrange_runs(results_for_latex())));
   // χ is −14, its reference −12.
   EXPECT_NE(topology.find("S[table-format=1.0]S[table-format=-2.0]S[table-format=-2.0]"), std::string::npos)
       << topology;
@@ -137,7 +137,7 @@ TEST(Latex, WholeNumbersTakeNoRoomForDecimals) {
 
 TEST(Latex, SeveralSeedsAreThreeColumns) {
   const Results results = with_seeds();
-  const std::string text = latex(seed_table(arrange(results)));
+  const std::string text = latex(seed_table(arrange_runs(results)));
   EXPECT_NE(text.find("{median} & {smallest} & {largest}"), std::string::npos) << text;
   EXPECT_NE(text.find("0.275 & 0.25 & 0.30000000000000004"), std::string::npos) << text;
 }

@@ -5,7 +5,7 @@
 
 #include "isobench/reports/page/html.h"
 #include "isobench/reports/page/page.h"
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 
 namespace isobench {
 

@@ -95,14 +95,14 @@ TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
 TEST(Page, NamesTheBestWithItsFlaws) {
   Results results = results_for_page();
   results.records[1].measurement->topology.boundary_edges = 2;
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   const Question& worst = questions().front();
   ASSERT_EQ(worst.figure, "radius_ratio_min");
   EXPECT_EQ(best(worst, runs, "pelvis").text, "theirs †: 0.500");
   EXPECT_EQ(best(worst, runs, "skull").names, (std::vector<std::string>{"ours"}));
   // What prints alike is alike.
   results.records[1].measurement->radius_ratio.min = results.records[0].measurement->radius_ratio.min * 1.000001;
-  EXPECT_EQ(best(worst, arrange(results), "pelvis").names.size(), 2U);
+  EXPECT_EQ(best(worst, arrange_runs(results), "pelvis").names.size(), 2U);
 }
 
 TEST(Page, ShowsFailuresAndWhatIsNotDone) {

@@ -10,7 +10,7 @@
 #include "isobench/reports/claims/claims.h"
 #include "isobench/reports/page/html.h"
 #include "isobench/reports/page/page.h"
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/table_parts.h"
 #include "isobench/reports/tables/verdict.h"
 
@@ -41,7 +41,7 @@ constexpr std::size_t most_missing = 200;  // runs that are named one by one
 
 std::string paragraph(const std::string& text) { return "<p>" + html_escaped(text) + "</p>\n"; }
 
-std::string compared(const Results& results, const Arrangement& runs) {
+std::string compared(const Results& results, const RunGrid& runs) {
   const std::vector<std::string> labels =
       each(results, [](const RunRecord& r) { return r.request.aside ? "" : r.request.label; });
   std::set<std::uint64_t> seeds;
@@ -131,7 +131,7 @@ std::string findings_html(const ClaimResult& result) {
 }  // namespace
 
 std::string summary_html(const Results& results) {
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   std::string text = "<section id=\"summary\"><h2>In words</h2>\n";
   if (results.records.empty()) return text + paragraph("No run is finished yet.") + "</section>\n";
   for (const std::string& sentence : {compared(results, runs), matched(results), done(results), held(results)}) {

@@ -10,7 +10,7 @@
 #include "isobench/foundation/run_tool.h"
 #include "isobench/foundation/sha256.h"
 #include "isobench/reports/pictures/render.h"
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/sizing_grid.h"
 #include "isobench/reports/text/markdown.h"
 
@@ -31,7 +31,7 @@ void add_run(PictureGroup& group, const RunRecord& run, const std::string& name)
   group.names.push_back(name);
 }
 
-PictureGroup dataset_group(const Arrangement& runs, const std::string& dataset, std::size_t most,
+PictureGroup dataset_group(const RunGrid& runs, const std::string& dataset, std::size_t most,
                            std::vector<std::string>& left_out) {
   PictureGroup group;
   group.dataset = group.title = dataset;
@@ -170,7 +170,7 @@ std::string PictureGroup::file(const RunRecord& run, const std::string& name, co
 }
 
 std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out) {
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   std::vector<PictureGroup> groups;
   std::size_t meshes = 0;
   for (const std::string& dataset : runs.datasets) {

@@ -46,7 +46,7 @@ void keep_readable(Plot& plot) {
 }  // namespace
 
 std::vector<Plot> all_plots(const Results& results, const std::vector<EdgesOverH>& over_h) {
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   std::vector<Plot> plots;
   for (std::vector<Plot> kind :
        {radius_ratio_plots(runs), edge_length_plots(runs), contraction_plots(over_h), angle_plots(runs),

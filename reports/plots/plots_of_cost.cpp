@@ -45,7 +45,7 @@ std::vector<std::string> parts_of(const Runs& runs) {
 }
 
 // For the end of a caption.
-std::string timing_note(const Arrangement& runs) {
+std::string timing_note(const RunGrid& runs) {
   const std::string remark = timing_remark(runs);
   return remark.empty() ? "" : " " + remark;
 }
@@ -53,12 +53,12 @@ std::string timing_note(const Arrangement& runs) {
 double vertices_of(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
 
 // What a plot of points has of a variant on a dataset; of seconds only what was timed alike.
-Runs shown(const Arrangement& runs, const Variant& variant, const std::string& dataset, bool timed) {
+Runs shown(const RunGrid& runs, const Variant& variant, const std::string& dataset, bool timed) {
   const Runs all = finished(find_runs(variant, dataset));
   return timed ? timed_so(all, runs.timing) : all;
 }
 
-std::size_t number_shown(const Arrangement& runs, bool timed) {
+std::size_t number_shown(const RunGrid& runs, bool timed) {
   std::size_t count = 0;
   for (const Variant& variant : runs.variants) {
     for (const std::string& dataset : runs.datasets) count += shown(runs, variant, dataset, timed).size();
@@ -73,7 +73,7 @@ double median_of(const Runs& runs, const Figure& figure) {
 }
 
 // A point a finished run, of all datasets; where that would be a cloud, a point for the seeds and repeats of one cell.
-Plot over_vertices(const Arrangement& runs, const std::string& name, const std::string& y_label, const Figure& y,
+Plot over_vertices(const RunGrid& runs, const std::string& name, const std::string& y_label, const Figure& y,
                    bool timed = false) {
   constexpr std::size_t most_points = 2000;
   const bool cloud = number_shown(runs, timed) > most_points;
@@ -132,7 +132,7 @@ Plot grid_plot(const SizingGrid& grid, const std::string& name, const std::strin
 
 }  // namespace
 
-std::vector<Plot> trace_plots(const Arrangement& runs) {
+std::vector<Plot> trace_plots(const RunGrid& runs) {
   std::vector<Plot> plots;
   for (const std::string& dataset : runs.datasets) {
     std::set<std::string> names;
@@ -161,7 +161,7 @@ std::vector<Plot> trace_plots(const Arrangement& runs) {
   return plots;
 }
 
-std::vector<Plot> stage_plots(const Arrangement& runs) {
+std::vector<Plot> stage_plots(const RunGrid& runs) {
   std::vector<Plot> plots;
   for (const std::string& dataset : runs.datasets) {
     Plot plot;
@@ -193,7 +193,7 @@ std::vector<Plot> stage_plots(const Arrangement& runs) {
   return plots;
 }
 
-std::vector<Plot> size_plots(const Arrangement& runs) {
+std::vector<Plot> size_plots(const RunGrid& runs) {
   std::vector<Plot> plots;
   plots.push_back(over_vertices(runs, "radius-ratio-min", "smallest radius ratio",
                                 [](const RunRecord& run) { return run.measurement->radius_ratio.min; }));

@@ -45,7 +45,7 @@ Series series_of(const Histogram& histogram, const std::string& name, std::size_
 }
 
 // One plot a dataset, all methods over each other; `plot` has what they share.
-std::vector<Plot> histogram_plots(const Arrangement& runs, const Plot& shared, HistogramOf histogram_of) {
+std::vector<Plot> histogram_plots(const RunGrid& runs, const Plot& shared, HistogramOf histogram_of) {
   std::vector<Plot> plots;
   for (const std::string& dataset : runs.datasets) {
     Plot plot = shared;
@@ -65,7 +65,7 @@ std::vector<Plot> histogram_plots(const Arrangement& runs, const Plot& shared, H
 
 }  // namespace
 
-std::vector<Plot> radius_ratio_plots(const Arrangement& runs) {
+std::vector<Plot> radius_ratio_plots(const RunGrid& runs) {
   Plot plot;
   plot.name = "radius-ratio";
   plot.title = "Radius ratios of the triangles";
@@ -77,7 +77,7 @@ std::vector<Plot> radius_ratio_plots(const Arrangement& runs) {
   return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.radius_ratio.histogram; });
 }
 
-std::vector<Plot> edge_length_plots(const Arrangement& runs) {
+std::vector<Plot> edge_length_plots(const RunGrid& runs) {
   Plot plot;
   plot.name = "edge-over-h0";
   plot.title = "Edge lengths over h0";
@@ -131,7 +131,7 @@ std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
   return plots;
 }
 
-std::vector<Plot> angle_plots(const Arrangement& runs) {
+std::vector<Plot> angle_plots(const RunGrid& runs) {
   Plot plot;
   plot.name = "angle";
   plot.title = "Angles of the triangles";
@@ -142,7 +142,7 @@ std::vector<Plot> angle_plots(const Arrangement& runs) {
   return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.angles.histogram; });
 }
 
-std::vector<Plot> valence_plots(const Arrangement& runs) {
+std::vector<Plot> valence_plots(const RunGrid& runs) {
   constexpr std::size_t lowest = 3;
   constexpr std::size_t highest = 10;
   std::vector<Plot> plots;

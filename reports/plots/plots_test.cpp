@@ -31,7 +31,7 @@ bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1"
 
 TEST(Plots, RadiusRatiosOfAllMethodsLieOverEachOther) {
   const Results results = results_for_plots();
-  const std::vector<Plot> plots = radius_ratio_plots(arrange(results));
+  const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
   ASSERT_EQ(plots.size(), 2U);
   ASSERT_EQ(plots[0].series.size(), 2U);
   EXPECT_EQ(plots[0].series[1].name, "theirs");
@@ -49,7 +49,7 @@ TEST(Plots, ALabelKeepsItsColour) {
   std::swap(results.records[3].status, results.records[0].status);
   results.records[3].measurement = results.records[1].measurement;
   results.records[0].measurement.reset();
-  const std::vector<Plot> plots = radius_ratio_plots(arrange(results));
+  const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
   ASSERT_EQ(plots[0].series.size(), 1U);
   EXPECT_EQ(plots[0].series[0].name, "theirs");
   EXPECT_EQ(plots[0].series[0].colour, plots[1].series[1].colour);
@@ -63,7 +63,7 @@ TEST(Plots, RunsOfSeveralSeedsAreOneSeries) {
   // A mesh that is not closed stays out while there are others.
   results.records[2].measurement->topology.boundary_edges = 3;
   results.records[2].measurement->radius_ratio.histogram.add(0.05);
-  const std::vector<Plot> plots = radius_ratio_plots(arrange(results));
+  const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
   ASSERT_EQ(plots.size(), 1U);
   ASSERT_EQ(plots[0].series.size(), 1U);
   EXPECT_DOUBLE_EQ(plots[0].series[0].y[25], 200.0 / 3.0);
@@ -73,7 +73,7 @@ TEST(Plots, RunsOfSeveralSeedsAreOneSeries) {
 TEST(Plots, ValencesBeyondTheEndsAreInTheOutermostBars) {
   Results results = results_for_plots();
   results.records[0].measurement->valence.counts = {0, 1, 0, 1, 0, 0, 4, 0, 0, 0, 0, 0, 2};
-  const Plot plot = valence_plots(arrange(results)).front();
+  const Plot plot = valence_plots(arrange_runs(results)).front();
   EXPECT_EQ(plot.categories.front(), "≤ 3");
   EXPECT_EQ(plot.categories.back(), "≥ 10");
   EXPECT_EQ(plot.series[0].y, (std::vector<double>{25.0, 0.0, 0.0, 50.0, 0.0, 0.0, 0.0, 25.0}));
@@ -83,7 +83,7 @@ TEST(Plots, StagesAddUpToTheSecondsOfTheRun) {
   Results results = results_for_plots();
   results.records[0].stages = {
       {"mesh", 5.25, 9.5}, {"mesh/sizing", 2.0, 3.0}, {"mesh/sizing/limit", 1.5, 2.0}, {"mesh/relaxation", 3.0, 4.0}};
-  const Plot plot = stage_plots(arrange(results)).front();
+  const Plot plot = stage_plots(arrange_runs(results)).front();
   ASSERT_EQ(plot.categories, (std::vector<std::string>{"ours", "theirs"}));
   ASSERT_EQ(plot.series.size(), 3U);
   EXPECT_EQ(plot.series[0].name, "sizing");
@@ -97,7 +97,7 @@ TEST(Plots, StagesAddUpToTheSecondsOfTheRun) {
 TEST(Plots, EveryTraceHasItsPlot) {
   Results results = results_for_plots();
   results.records[1].traces = {{"energy", {9.0, 8.0}}, {"moves", {1.0}}};
-  const std::vector<Plot> plots = trace_plots(arrange(results));
+  const std::vector<Plot> plots = trace_plots(arrange_runs(results));
   ASSERT_EQ(plots.size(), 3U);
   EXPECT_EQ(plots[0].series.size(), 2U);
   EXPECT_EQ(plots[0].series[1].x, (std::vector<double>{1.0, 2.0}));

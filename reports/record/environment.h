@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "isobench/reports/record/shared.h"
+#include "isobench/reports/record/shared_value.h"
 
 namespace isobench {
 
@@ -16,7 +16,7 @@ struct Environment {
   bool dirty = false;   ///< tracked files differed from that commit
   std::string compiler;
   std::string build_type;
-  Shared<LibraryVersions> libraries;
+  SharedValue<LibraryVersions> libraries;
   std::string host;
   std::string cpu;
   int cores = 0;           ///< that this process may use

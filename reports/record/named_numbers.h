@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "isobench/reports/record/shared.h"
+#include "isobench/reports/record/shared_value.h"
 
 namespace isobench {
 
@@ -54,7 +54,7 @@ class NamedNumbers {
   void share_names(SharedPool<Names>& pool) { names_ = pool.first_of(names_); }
 
  private:
-  Shared<Names> names_;
+  SharedValue<Names> names_;
   std::vector<double> values_;  ///< as many as names
 };
 

@@ -125,7 +125,7 @@ std::vector<RunRequest> plan_from_json(const std::string& text, const std::strin
   return located(origin, "plan", [&] {
     std::vector<RunRequest> plan;
     // Most runs have the parameters of others. As text: 0.0 and -0.0 are equal, but not the same parameter.
-    std::map<std::string, Shared<ParameterValues>> parameters;
+    std::map<std::string, SharedValue<ParameterValues>> parameters;
     bool runs = false;
     // Each run is taken over when it has been read and dropped from the parsed text, which of a hundred thousand would
     // take several times the memory of the plan.

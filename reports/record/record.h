@@ -17,7 +17,7 @@
 #include "isobench/metrics/measurement.h"
 #include "isobench/reports/record/environment.h"
 #include "isobench/reports/record/named_numbers.h"
-#include "isobench/reports/record/shared.h"
+#include "isobench/reports/record/shared_value.h"
 
 namespace isobench {
 
@@ -31,8 +31,8 @@ struct RunRequest {
   std::string dataset_checksum;
   std::string method;
   int method_revision = 1;
-  std::string label;                   ///< tells apart two entries of one method
-  Shared<ParameterValues> parameters;  ///< complete: every parameter of the method
+  std::string label;                        ///< tells apart two entries of one method
+  SharedValue<ParameterValues> parameters;  ///< complete: every parameter of the method
   SizingRequest sizing;
   std::string match_to;  ///< the run whose number of vertices this one is brought to; "" where none is
   std::uint64_t seed = 1;

@@ -14,7 +14,7 @@ struct Count {
   std::size_t runs = 0;
 };
 
-std::vector<Count> counts(const Arrangement& runs) {
+std::vector<Count> counts(const RunGrid& runs) {
   std::vector<Count> found;
   for (const Variant& variant : runs.variants) {
     for (const std::string& dataset : runs.datasets) {
@@ -38,7 +38,7 @@ std::string timing_of(const RunRecord& record) {
                      here.exclusive ? ", nothing else on the machine" : "");
 }
 
-std::string usual_timing(const Arrangement& runs) {
+std::string usual_timing(const RunGrid& runs) {
   const std::vector<Count> all = counts(runs);
   const auto most =
       std::max_element(all.begin(), all.end(), [](const Count& a, const Count& b) { return a.runs < b.runs; });
@@ -52,7 +52,7 @@ Runs timed_so(const Runs& runs, const std::string& timing) {
   return same;
 }
 
-std::string timing_remark(const Arrangement& runs) {
+std::string timing_remark(const RunGrid& runs) {
   std::vector<std::string> others;
   for (const Count& count : counts(runs)) {
     if (count.timing != runs.timing)

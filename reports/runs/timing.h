@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 
 namespace isobench {
 
@@ -12,13 +12,13 @@ namespace isobench {
 std::string timing_of(const RunRecord& record);
 
 /// What most of the finished runs have in common; the first of those that as many have. "" where nothing is finished.
-std::string usual_timing(const Arrangement& runs);
+std::string usual_timing(const RunGrid& runs);
 
 /// The runs that were timed so.
 Runs timed_so(const Runs& runs, const std::string& timing);
 
 /// The sentence for under a table with seconds: among which runs they are compared, and which are left out; "" where
 /// all runs were timed alike.
-std::string timing_remark(const Arrangement& runs);
+std::string timing_remark(const RunGrid& runs);
 
 }  // namespace isobench

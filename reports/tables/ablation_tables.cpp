@@ -42,7 +42,7 @@ const RunRequest* any_request(const Variant& variant) {
   return variant.runs.empty() ? nullptr : &variant.runs.begin()->second.front()->request;
 }
 
-Ablation changes_from(const Arrangement& runs, const Variant& base) {
+Ablation changes_from(const RunGrid& runs, const Variant& base) {
   Ablation found;
   found.base = &base;
   const RunRequest* usual = any_request(base);
@@ -55,7 +55,7 @@ Ablation changes_from(const Arrangement& runs, const Variant& base) {
 }
 
 // Of each method the variant from which most others are one step away; the first in the plan of several.
-std::vector<Ablation> ablations(const Arrangement& runs) {
+std::vector<Ablation> ablations(const RunGrid& runs) {
   std::vector<Ablation> all;
   for (const Variant& variant : runs.variants) {
     Ablation found = changes_from(runs, variant);
@@ -100,7 +100,7 @@ const std::vector<StageColumn>& columns() {
   return all;
 }
 
-TableCell cell_of(const Arrangement& runs, const Runs& group, const StageColumn& column) {
+TableCell cell_of(const RunGrid& runs, const Runs& group, const StageColumn& column) {
   if (column.over == StageColumn::Over::alike_timed) return over_timed(runs, group, column.figure, column.print);
   return column.over == StageColumn::Over::all_meshes ? over_all(group, column.figure, column.print)
                                                       : over(group, column.figure, column.print);
@@ -115,7 +115,7 @@ std::string difference(const TableCell& cell, const TableCell& base) {
   return fmt::format(" [{}{}]", change < 0.0 ? "−" : "+", size);
 }
 
-TableRow row_of(const Arrangement& runs, const std::string& dataset, const std::string& label, const Runs& group,
+TableRow row_of(const RunGrid& runs, const std::string& dataset, const std::string& label, const Runs& group,
                 const Runs& base) {
   TableRow row = {dataset, label + spread_label(group) + marks(group)};
   for (const StageColumn& column : columns()) {
@@ -133,7 +133,7 @@ TableRow row_of(const Arrangement& runs, const std::string& dataset, const std::
 
 }  // namespace
 
-std::vector<Table> ablation_tables(const Arrangement& runs) {
+std::vector<Table> ablation_tables(const RunGrid& runs) {
   std::vector<Table> tables;
   for (const Ablation& ablation : ablations(runs)) {
     Table table;

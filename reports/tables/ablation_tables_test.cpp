@@ -35,7 +35,7 @@ TEST(AblationTables, ShowWhatEachChangeDoesBesideTheBase) {
   few.topology.nonmanifold_vertices = 3;
   few.topology.self_intersections = 1;
   results.records[1].seconds_total = 2.25;
-  const auto tables = ablation_tables(arrange(results));
+  const auto tables = ablation_tables(arrange_runs(results));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].title, "What one choice is worth: particles");
   ASSERT_EQ(tables[0].rows.size(), 3U);
@@ -51,12 +51,12 @@ TEST(AblationTables, ShowWhatEachChangeDoesBesideTheBase) {
 TEST(AblationTables, NeedTwoChangesFromOneBase) {
   Results results = one_at_a_time();
   results.records.erase(results.records.begin() + 2);
-  EXPECT_TRUE(ablation_tables(arrange(results)).empty());
+  EXPECT_TRUE(ablation_tables(arrange_runs(results)).empty());
   // Two parameters at once are no single choice.
   RunRecord both = changed("torus", "particles both", "finish", false);
   set_parameter(both.request, "sweeps", 20.0);
   results.records.push_back(both);
-  EXPECT_TRUE(ablation_tables(arrange(results)).empty());
+  EXPECT_TRUE(ablation_tables(arrange_runs(results)).empty());
 }
 
 TEST(AblationTables, SayWhereAChangeDidNotFinish) {
@@ -64,7 +64,7 @@ TEST(AblationTables, SayWhereAChangeDidNotFinish) {
   results.records[2].status = Status::timeout;
   results.records[2].reason = "not finished after 10 minutes";
   results.records[2].measurement.reset();
-  const auto tables = ablation_tables(arrange(results));
+  const auto tables = ablation_tables(arrange_runs(results));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].rows[2][2].text(), "timeout: not finished after 10 minutes");
   EXPECT_EQ(tables[0].rows[2][3].text(), "–");

@@ -43,7 +43,7 @@ Table match_table(const Results& results) {
       "within "
       "2 % of the other run's; edges are compared with h0 as it was before that."};
   const std::map<std::string, std::string> labels = labels_of(results);
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   for (const std::string& dataset : runs.datasets) {
     for (const Variant& variant : runs.variants) {
       const Runs& group = find_runs(variant, dataset);

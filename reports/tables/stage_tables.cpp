@@ -32,7 +32,7 @@ double microseconds_a_vertex(const RunRecord& run) { return 1e6 * wall_seconds(r
 
 // The stages that a method's finished runs went through, without those within others, in the order in which they
 // ended.
-std::vector<std::string> stages_of(const Arrangement& runs, const std::string& method) {
+std::vector<std::string> stages_of(const RunGrid& runs, const std::string& method) {
   std::vector<std::string> names;
   for (const Variant& variant : runs.variants) {
     if (variant.method != method) continue;
@@ -49,7 +49,7 @@ std::vector<std::string> stages_of(const Arrangement& runs, const std::string& m
   return names;
 }
 
-TableRow stage_row(const Arrangement& runs, const std::string& dataset, const Variant& variant,
+TableRow stage_row(const RunGrid& runs, const std::string& dataset, const Variant& variant,
                    const std::vector<std::string>& stages) {
   const Runs& group = find_runs(variant, dataset);
   TableRow row = {dataset, variant.name + spread_label(group) + marks(group), over(group, vertices, as_number())};
@@ -70,7 +70,7 @@ TableRow stage_row(const Arrangement& runs, const std::string& dataset, const Va
 
 }  // namespace
 
-std::vector<Table> stage_tables(const Arrangement& runs) {
+std::vector<Table> stage_tables(const RunGrid& runs) {
   std::vector<std::string> methods;
   for (const Variant& variant : runs.variants) {
     if (std::find(methods.begin(), methods.end(), variant.method) == methods.end()) methods.push_back(variant.method);

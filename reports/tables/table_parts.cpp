@@ -67,12 +67,12 @@ TableCell over(const Runs& runs, const Figure& figure, const Print& print) {
   return over_all(gated(runs), figure, print);
 }
 
-TableCell over_timed(const Arrangement& arrangement, const Runs& runs, const Figure& figure, const Print& print) {
+TableCell over_timed(const RunGrid& arrangement, const Runs& runs, const Figure& figure, const Print& print) {
   const Runs alike = timed_so(gated(runs), arrangement.timing);
   return alike.empty() ? TableCell("§") : over_all(alike, figure, print);
 }
 
-void say_how_timed(const Arrangement& arrangement, Table& table) {
+void say_how_timed(const RunGrid& arrangement, Table& table) {
   if (std::string remark = timing_remark(arrangement); !remark.empty()) table.remarks.push_back(std::move(remark));
 }
 
@@ -125,7 +125,7 @@ std::string source_line(const Results& results, const std::string& table) {
                      table);
 }
 
-std::vector<const PublishedMethod*> published_alone(const Results& results, const Arrangement& runs,
+std::vector<const PublishedMethod*> published_alone(const Results& results, const RunGrid& runs,
                                                     const std::string& table) {
   std::vector<const PublishedMethod*> alone;
   if (!results.published) return alone;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/table.h"
 #include "isobench/reports/text/markdown.h"
 
@@ -23,13 +23,13 @@ TableCell instead_of_figures(const RunRecord* record);
 
 /// One figure over runs of which at least one is finished, ready for a cell; of those that gated() lets pass.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
-/// The same of what was timed as most of the runs were (Arrangement::timing): seconds of others do not compare, and
+/// The same of what was timed as most of the runs were (RunGrid::timing): seconds of others do not compare, and
 /// where a cell has no others it says " §".
-TableCell over_timed(const Arrangement& arrangement, const Runs& runs, const Figure& figure, const Print& print);
+TableCell over_timed(const RunGrid& arrangement, const Runs& runs, const Figure& figure, const Print& print);
 /// The same over all finished runs: for what tells whether they may pass.
 TableCell over_all(const Runs& runs, const Figure& figure, const Print& print);
 /// timing_remark() under a table that has seconds, where there is one.
-void say_how_timed(const Arrangement& arrangement, Table& table);
+void say_how_timed(const RunGrid& arrangement, Table& table);
 /// "a / b" in one cell.
 TableCell beside(TableCell cell, const TableCell& next);
 
@@ -45,7 +45,7 @@ std::string definitions(const std::vector<std::string>& figures);
 std::string source_line(const Results& results, const std::string& table);
 
 /// Published methods that have figures in this table but no run of ours beside them.
-std::vector<const PublishedMethod*> published_alone(const Results& results, const Arrangement& runs,
+std::vector<const PublishedMethod*> published_alone(const Results& results, const RunGrid& runs,
                                                     const std::string& table);
 
 /// "1 run", "3 runs".

@@ -22,7 +22,7 @@ struct Column {
 
 // A table of one row a dataset and variant; several seeds or repeats give the median and the range, of those that
 // gated() lets pass or of all that finished.
-Table table_of_runs(const Arrangement& runs, const std::string& title, const std::vector<Column>& columns,
+Table table_of_runs(const RunGrid& runs, const std::string& title, const std::vector<Column>& columns,
                     bool gate = true) {
   Table table;
   table.title = title;
@@ -63,7 +63,7 @@ std::string sameness(const Runs& runs) {
 
 }  // namespace
 
-Table topology_table(const Arrangement& runs) {
+Table topology_table(const RunGrid& runs) {
   using M = Measurement;
   Table table = table_of_runs(
       runs, "Topology",
@@ -85,7 +85,7 @@ Table topology_table(const Arrangement& runs) {
   return table;
 }
 
-Table distance_table(const Arrangement& runs) {
+Table distance_table(const RunGrid& runs) {
   using R = RunRecord;
   Table table = table_of_runs(
       runs, "Distance to the surface F = c",
@@ -102,7 +102,7 @@ Table distance_table(const Arrangement& runs) {
   return table;
 }
 
-Table cost_table(const Arrangement& runs) {
+Table cost_table(const RunGrid& runs) {
   using R = RunRecord;
   Table table =
       table_of_runs(runs, "Cost",
@@ -118,7 +118,7 @@ Table cost_table(const Arrangement& runs) {
   return table;
 }
 
-Table seed_table(const Arrangement& runs) {
+Table seed_table(const RunGrid& runs) {
   using R = RunRecord;
   const auto vertices = [](const R& r) { return static_cast<double>(r.measurement->vertices); };
   const auto smallest = [](const R& r) { return r.measurement->radius_ratio.min; };
@@ -144,7 +144,7 @@ Table seed_table(const Arrangement& runs) {
 }
 
 std::vector<Table> all_tables(const Results& results) {
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   std::vector<Table> tables = ablation_tables(runs);
   for (Table& table :
        std::vector<Table>{sizes_table(results, runs), radius_ratio_table(results, runs), valence_table(results, runs),

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "isobench/reports/runs/arrangement.h"
 #include "isobench/reports/runs/results.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/table.h"
 
 namespace isobench {
@@ -14,19 +14,19 @@ namespace isobench {
 std::vector<Table> all_tables(const Results& results);
 
 // The single tables. Laid out as in Meyer, Kirby, Whitaker 2007.
-Table sizes_table(const Results& results, const Arrangement& runs);         ///< Table 1
-Table radius_ratio_table(const Results& results, const Arrangement& runs);  ///< Table 2
-Table valence_table(const Results& results, const Arrangement& runs);       ///< Table 3
-Table edge_length_table(const Results& results, const Arrangement& runs);   ///< Figure 4 as a table
-Table topology_table(const Arrangement& runs);
-Table distance_table(const Arrangement& runs);
-Table cost_table(const Arrangement& runs);
+Table sizes_table(const Results& results, const RunGrid& runs);         ///< Table 1
+Table radius_ratio_table(const Results& results, const RunGrid& runs);  ///< Table 2
+Table valence_table(const Results& results, const RunGrid& runs);       ///< Table 3
+Table edge_length_table(const Results& results, const RunGrid& runs);   ///< Figure 4 as a table
+Table topology_table(const RunGrid& runs);
+Table distance_table(const RunGrid& runs);
+Table cost_table(const RunGrid& runs);
 /// Of each method that tells of two stages or more, where its time goes: one row a run, one column a stage.
-std::vector<Table> stage_tables(const Arrangement& runs);
+std::vector<Table> stage_tables(const RunGrid& runs);
 /// Of each method of which at least two variants differ from one and the same in a single parameter: what changing it
 /// does to quality, edges above h0, topology and seconds. One row a data set and change, the base before them.
-std::vector<Table> ablation_tables(const Arrangement& runs);
-Table seed_table(const Arrangement& runs);  ///< spread over seeds and repeats, and whether repeats agree
+std::vector<Table> ablation_tables(const RunGrid& runs);
+Table seed_table(const RunGrid& runs);      ///< spread over seeds and repeats, and whether repeats agree
 Table match_table(const Results& results);  ///< what was matched to what, and how near it came
 
 }  // namespace isobench

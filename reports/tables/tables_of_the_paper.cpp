@@ -34,7 +34,7 @@ TableCell with_published_sizing(TableCell cell, const Results& results, const Va
 double triangles(const RunRecord& r) { return static_cast<double>(r.measurement->triangles); }
 double seconds(const RunRecord& r) { return r.seconds_total; }
 
-TableRow sizes_row(const Results& results, const Arrangement& arrangement, const Variant& variant,
+TableRow sizes_row(const Results& results, const RunGrid& arrangement, const Variant& variant,
                    const std::string& dataset, const Runs& runs) {
   const RunRecord& record = *find_run(variant, dataset);
   const auto beside_published = [&](TableCell cell, const char* quantity) {
@@ -124,7 +124,7 @@ void add_average(const Variant& variant, const ValenceSum& closed, const Valence
   table.rows.push_back(std::move(row));
 }
 
-void add_valences(const Results& results, const Arrangement& runs, const Variant& variant, Table& table) {
+void add_valences(const Results& results, const RunGrid& runs, const Variant& variant, Table& table) {
   ValenceSum closed;
   ValenceSum open;
   for (const std::string& dataset : runs.datasets) {
@@ -171,7 +171,7 @@ TableRow edge_row(const Results& results, const Variant& variant, const std::str
 
 }  // namespace
 
-Table sizes_table(const Results& results, const Arrangement& runs) {
+Table sizes_table(const Results& results, const RunGrid& runs) {
   Table table;
   table.title = "Table 1: the data sets and their meshes";
   table.header = {"Data", "Method", "Volume size", "ε, δ or size", "Time", "Vertices", "Triangles"};
@@ -188,7 +188,7 @@ Table sizes_table(const Results& results, const Arrangement& runs) {
   return table;
 }
 
-Table radius_ratio_table(const Results& results, const Arrangement& runs) {
+Table radius_ratio_table(const Results& results, const RunGrid& runs) {
   Table table;
   table.title = "Table 2: radius ratios, smallest / average";
   table.header = {"min / avg"};
@@ -214,7 +214,7 @@ Table radius_ratio_table(const Results& results, const Arrangement& runs) {
   return table;
 }
 
-Table valence_table(const Results& results, const Arrangement& runs) {
+Table valence_table(const Results& results, const RunGrid& runs) {
   Table table;
   table.title = "Table 3: vertex valences, percent of the vertices";
   table.header = {"Data", "Method", "< 5 %", "5 %", "6 %", "7 %", "> 7 %"};
@@ -228,7 +228,7 @@ Table valence_table(const Results& results, const Arrangement& runs) {
   return table;
 }
 
-Table edge_length_table(const Results& results, const Arrangement& runs) {
+Table edge_length_table(const Results& results, const RunGrid& runs) {
   Table table;
   table.title = "Edges above h0 (the paper's Figure 4)";
   table.header = {"Data",       "Method",         "max edge / h0",          "edges above h0",

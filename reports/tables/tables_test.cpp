@@ -53,11 +53,11 @@ Results results_for_tables() {
 TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
   Results results = results_for_tables();
   // The sample has one stage beside the whole; stages within others and those of measuring have no column.
-  EXPECT_TRUE(stage_tables(arrange(results)).empty());
+  EXPECT_TRUE(stage_tables(arrange_runs(results)).empty());
   results.records[0].stages = {{"prepare", 9.0, 9.0},    {"mesh/sizing", 0.5, 1.0}, {"mesh/seeds/inner", 0.75, 1.0},
                                {"mesh/seeds", 1.0, 1.5}, {"mesh", 2.0, 3.0},        {"measure/shape", 0.5, 0.5}};
   results.records[0].measurement->vertices = 1000;
-  const auto tables = stage_tables(arrange(results));
+  const auto tables = stage_tables(arrange_runs(results));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].title, "Seconds by stage: particles");
   EXPECT_EQ(tables[0].header, (std::vector<std::string>{"Data", "Method", "vertices", "sizing", "seeds", "in all",
@@ -70,7 +70,7 @@ TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
 
 TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
   const Results results = results_for_tables();
-  const std::string table = markdown(radius_ratio_table(results, arrange(results)));
+  const std::string table = markdown(radius_ratio_table(results, arrange_runs(results)));
   const auto particles = find_row(table, {"particles"});
   EXPECT_EQ(particles[1], "0.300 / 0.945 (published 0.40 / 0.92)");
   EXPECT_EQ(particles[2], "0.300 / 0.945 † (published 0.092 / 0.94)");
@@ -89,7 +89,7 @@ TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
 
 TEST(Tables, SizesSayWhatTheyAreOf) {
   const Results results = results_for_tables();
-  const auto row = find_row(sizes_table(results, arrange(results)), {"pelvis", "particles"});
+  const auto row = find_row(sizes_table(results, arrange_runs(results)), {"pelvis", "particles"});
   EXPECT_EQ(row[2], "64 × 32 × 16 (published 271 × 390 × 282 voxels)");
   EXPECT_EQ(row[3], "0.5, 0.3 (published 0.75, 0.5)");
   EXPECT_EQ(row[4], "5.25 s (published 1 min)");
@@ -100,7 +100,7 @@ TEST(Tables, SizesSayWhatTheyAreOf) {
 TEST(Tables, ValencesHaveTheirAverages) {
   Results results = results_for_tables();
   results.records[2].measurement->valence.v6_percent = 66.0;
-  const Table table = valence_table(results, arrange(results));
+  const Table table = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(table, {"pelvis", "particles"})[4], "64.00");
   // The skull's mesh is no closed manifold.
   EXPECT_EQ(find_row(table, {"average of 1, 1 † left out", "particles"})[4], "64.00");
@@ -111,7 +111,7 @@ TEST(Tables, ValencesHaveTheirAverages) {
 
 TEST(Tables, TopologyCountsPinchesAndMarksThem) {
   const Results results = results_for_tables();
-  const Table table = topology_table(arrange(results));
+  const Table table = topology_table(arrange_runs(results));
   const auto whole = find_row(table, {"pelvis", "particles"});
   const auto pinched = find_row(table, {"skull", "particles †"});
   EXPECT_EQ(whole[2], "1");
@@ -128,7 +128,7 @@ TEST(Tables, TopologyCountsPinchesAndMarksThem) {
 TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
   Results results = results_for_tables();
   results.records[2].measurement->edges.own_exceed_triangle_percent = 0.002;
-  const auto row = find_row(edge_length_table(results, arrange(results)), {"skull", "particles †"});
+  const auto row = find_row(edge_length_table(results, arrange_runs(results)), {"skull", "particles †"});
   EXPECT_EQ(row[2], "1.250");
   EXPECT_EQ(row[3], "3");
   EXPECT_EQ(row[5], "0.00350");
@@ -137,7 +137,7 @@ TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
 
 TEST(Tables, CostIsInSeconds) {
   const Results results = results_for_tables();
-  const auto row = find_row(cost_table(arrange(results)), {"pelvis", "particles"});
+  const auto row = find_row(cost_table(arrange_runs(results)), {"pelvis", "particles"});
   EXPECT_EQ((std::vector<std::string>(row.begin() + 2, row.begin() + 7)),
             (std::vector<std::string>{"1.50", "2.00", "3.25", "5.25", "321"}));
 }
@@ -148,12 +148,12 @@ TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
     record.environment.cpu = "slow";
     record.environment.cores = 4;
   }
-  EXPECT_EQ(timing_remark(arrange(results)), "");
+  EXPECT_EQ(timing_remark(arrange_runs(results)), "");
   // On another machine, and faster for that alone.
   results.records[1].environment.cpu = "fast";
   results.records[1].environment.exclusive = true;
   results.records[1].seconds_total = 0.125;
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   const auto row = find_row(cost_table(runs), {"pelvis", "marching-cubes"});
   EXPECT_EQ((std::vector<std::string>(row.begin() + 2, row.begin() + 7)),
             (std::vector<std::string>{"§", "§", "§", "§", "321"}));
@@ -192,7 +192,7 @@ TEST(Tables, SeveralSizingsAreToldApartAndSeedsAreTheirSpread) {
       results.records.back().seconds_total = 1.0 / static_cast<double>(seed);
     }
   }
-  const Arrangement runs = arrange(results);
+  const RunGrid runs = arrange_runs(results);
   ASSERT_EQ(runs.variants.size(), 2U);
   EXPECT_EQ(runs.variants[1].name, "particles, ε 0.75, δ 0.3");
   const auto spread = find_row(seed_table(runs), {"skull", "particles, ε 0.5, δ 0.3 (3 seeds)"});
@@ -213,10 +213,10 @@ TEST(Tables, RepeatsThatDisagreeBreakAPromise) {
     results.records.push_back(sample_record("skull", "particles"));
     results.records.back().request.repeat = repeat;
   }
-  EXPECT_EQ(find_row(seed_table(arrange(results)), {"skull", "particles (3 repeats)"})[7], "the same mesh");
+  EXPECT_EQ(find_row(seed_table(arrange_runs(results)), {"skull", "particles (3 repeats)"})[7], "the same mesh");
   EXPECT_EQ(markdown_tables(results).find("Not deterministic"), std::string::npos);
   results.records[2].mesh_checksum = "another";
-  EXPECT_EQ(find_row(seed_table(arrange(results)), {"skull", "particles (3 repeats)"})[7], "2 different meshes");
+  EXPECT_EQ(find_row(seed_table(arrange_runs(results)), {"skull", "particles (3 repeats)"})[7], "2 different meshes");
   EXPECT_NE(markdown_tables(results).find("- particles on skull: 2 different meshes in repeats of one seed"),
             std::string::npos);
   // Who promises nothing breaks no promise; other seeds are other meshes.
@@ -238,11 +238,11 @@ TEST(Tables, UnfinishedRunsOfAGroupAreCountedAndLeftOut) {
   results.records[0].measurement.reset();
   results.records[1].measurement->topology.boundary_edges = 4;
   const std::string some = "particles (3 seeds, 1 timeout, 1 † left out)";
-  EXPECT_EQ(find_row(sizes_table(results, arrange(results)), {"skull", some})[5], "3000");
-  EXPECT_EQ(find_row(radius_ratio_table(results, arrange(results)), {"particles"})[1],
+  EXPECT_EQ(find_row(sizes_table(results, arrange_runs(results)), {"skull", some})[5], "3000");
+  EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"particles"})[1],
             "0.300 / 0.945 (3 seeds, 1 timeout, 1 † left out)");
   // The table that says what is wrong with a mesh leaves none out.
-  const Table topology = topology_table(arrange(results));
+  const Table topology = topology_table(arrange_runs(results));
   EXPECT_EQ(find_row(topology, {"skull", "particles (3 seeds, 1 timeout, 1 †)"})[7], "2 (0–4)");
 }
 
@@ -254,7 +254,7 @@ TEST(Tables, WhereNoMeshIsAClosedManifoldAllCountAndAreMarked) {
     results.records.back().measurement->vertices = 1000 * seed;
     results.records.back().measurement->topology.nonmanifold_vertices = 1;
   }
-  const auto row = find_row(sizes_table(results, arrange(results)), {"skull", "particles (2 seeds)"});
+  const auto row = find_row(sizes_table(results, arrange_runs(results)), {"skull", "particles (2 seeds)"});
   EXPECT_EQ(row[5], "1500 (1000–2000)");
   EXPECT_EQ(row[6], "2000 †");
 }
@@ -268,13 +268,13 @@ TEST(Tables, TheAverageOverDataSetsLeavesOutWhatIsNoClosedManifold) {
     results.records.back().measurement->valence.v6_percent = shares[i];
   }
   results.records[2].measurement->topology.boundary_edges = 4;
-  const Table some = valence_table(results, arrange(results));
+  const Table some = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(some, {"average of 2, 1 † left out", "particles"})[4], "65.00");
   for (RunRecord& record : results.records) record.measurement->topology.boundary_edges = 4;
-  const Table none = valence_table(results, arrange(results));
+  const Table none = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(none, {"average of 3", "particles †"})[4], "75.00");
   for (RunRecord& record : results.records) record.measurement->topology.boundary_edges = 0;
-  const Table all = valence_table(results, arrange(results));
+  const Table all = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(all, {"average of 3", "particles"})[4], "75.00");
 }
 
@@ -292,8 +292,8 @@ TEST(Tables, SayWhatWasMatchedAndWhatCouldNotBe) {
   const auto near = find_row(matches, {"skull", "cvt"});
   EXPECT_EQ(near, (std::vector<std::string>{"skull", "cvt", "particles", "1002", "1000", "0.20", "0.8765", "3"}));
   EXPECT_EQ(find_row(matches, {"skull", "marching-cubes"})[7], "3 ‡ its number of vertices does not follow the sizing");
-  EXPECT_EQ(find_row(radius_ratio_table(results, arrange(results)), {"marching-cubes"})[1], "0.300 / 0.945 ‡");
-  EXPECT_EQ(find_row(radius_ratio_table(results, arrange(results)), {"cvt"})[1], "0.300 / 0.945");
+  EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"marching-cubes"})[1], "0.300 / 0.945 ‡");
+  EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"cvt"})[1], "0.300 / 0.945");
   EXPECT_NE(markdown_tables(results).find("‡ not of the number of vertices"), std::string::npos);
 }
 

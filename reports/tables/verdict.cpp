@@ -15,7 +15,7 @@ namespace isobench {
 namespace {
 
 // Of seconds only those that compare.
-double median_of(const Arrangement& arrangement, const Runs& runs, const Question& question) {
+double median_of(const RunGrid& arrangement, const Runs& runs, const Question& question) {
   std::vector<double> values;
   for (const RunRecord* run : question.timed ? timed_so(gated(runs), arrangement.timing) : gated(runs))
     values.push_back(figure_value(*run, question.figure));
@@ -58,7 +58,7 @@ const std::vector<Question>& questions() {
   return all;
 }
 
-Best best(const Question& question, const Arrangement& runs, const std::string& dataset) {
+Best best(const Question& question, const RunGrid& runs, const std::string& dataset) {
   const Print print = to_significant(question.digits);
   std::map<std::string, double> values;
   Best best;
@@ -82,7 +82,7 @@ Best best(const Question& question, const Arrangement& runs, const std::string& 
   return best;
 }
 
-Table best_table(const Arrangement& runs) {
+Table best_table(const RunGrid& runs) {
   Table table;
   table.title = "Best at what, on which data";
   table.header = {"Asked"};
@@ -102,7 +102,7 @@ Table best_table(const Arrangement& runs) {
   return table;
 }
 
-Table methods_table(const Arrangement& runs) {
+Table methods_table(const RunGrid& runs) {
   Table table;
   table.title = "The methods at a glance, over all data sets";
   table.header = {"Method",
@@ -161,7 +161,7 @@ Table methods_table(const Arrangement& runs) {
   return table;
 }
 
-std::vector<std::string> best_sentences(const Arrangement& runs) {
+std::vector<std::string> best_sentences(const RunGrid& runs) {
   std::vector<std::string> sentences;
   if (runs.variants.size() < 2) return sentences;
   for (const Question& question : questions()) {

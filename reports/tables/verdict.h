@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/table.h"
 
 namespace isobench {
@@ -27,15 +27,15 @@ struct Best {
   double value = 0.0;
   std::string text;  ///< "particles 0.153", with "†" for a mesh that is not closed and manifold
 };
-Best best(const Question& question, const Arrangement& runs, const std::string& dataset);
+Best best(const Question& question, const RunGrid& runs, const std::string& dataset);
 
 /// A row a question, a column a dataset.
-Table best_table(const Arrangement& runs);
+Table best_table(const RunGrid& runs);
 
 /// A row a method, over all data sets: sound meshes, right topology, quality and cost.
-Table methods_table(const Arrangement& runs);
+Table methods_table(const RunGrid& runs);
 
 /// The same as sentences: "Worst triangle: particles on 3, advancing-front on 1 of 4 data sets."
-std::vector<std::string> best_sentences(const Arrangement& runs);
+std::vector<std::string> best_sentences(const RunGrid& runs);
 
 }  // namespace isobench

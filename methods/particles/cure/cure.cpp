@@ -80,7 +80,7 @@ struct Findings {
 
 class Curing {
  public:
-  Curing(const Isosurface& surface, const Spacing& spacing, SmallPlaces* smaller, const TriangleMesh& lattice_mesh,
+  Curing(const Isosurface& surface, const Spacing& spacing, SizeBounds* smaller, const TriangleMesh& lattice_mesh,
          Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits)
       : surface_(surface),
         spacing_(spacing),
@@ -287,7 +287,7 @@ class Curing {
 
   const Isosurface& surface_;
   const Spacing& spacing_;
-  SmallPlaces* smaller_;
+  SizeBounds* smaller_;
   const CureLimits limits_;
   LatticeComponents components_;
   Particles& particles_;
@@ -304,7 +304,7 @@ class Curing {
 
 }  // namespace
 
-Cure cure(const Isosurface& surface, const Spacing& spacing, SmallPlaces* smaller, const TriangleMesh& lattice_mesh,
+Cure cure(const Isosurface& surface, const Spacing& spacing, SizeBounds* smaller, const TriangleMesh& lattice_mesh,
           Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits, Monitor& monitor) {
   return Curing(surface, spacing, smaller, lattice_mesh, particles, delaunay, limits).run(monitor);
 }

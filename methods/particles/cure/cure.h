@@ -47,7 +47,7 @@ struct CureLimits {
 /// triangulation stay in step. `smaller` is where `spacing` looks for smaller places; without it nothing is relaxed.
 /// Deterministic for any number of threads. Cost: 1 µs a facet, on all threads, and some 80 µs, on one, for each
 /// particle that is relaxed.
-Cure cure(const Isosurface& surface, const Spacing& spacing, SmallPlaces* smaller, const TriangleMesh& lattice_mesh,
+Cure cure(const Isosurface& surface, const Spacing& spacing, SizeBounds* smaller, const TriangleMesh& lattice_mesh,
           Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits, Monitor& monitor);
 
 }  // namespace isobench::particles

@@ -39,7 +39,7 @@ struct Case {
   Monitor monitor;
   Isosurface surface;
   SizingField field;
-  particles::SmallPlaces smaller;
+  particles::SizeBounds smaller;
   Spacing spacing;
   TriangleMesh lattice_mesh;
   Particles all;

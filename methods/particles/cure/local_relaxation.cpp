@@ -22,9 +22,9 @@ constexpr double most_energy = 1.6;   // with more it goes
 
 }  // namespace
 
-void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing, SmallPlaces& smaller,
+void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing, SizeBounds& smaller,
                    double least) {
-  std::vector<SmallPlace> places;
+  std::vector<SizeBound> places;
   places.reserve(points.size());
   for (const Eigen::Vector3d& x : points) {
     const double apart = spacing(x);
@@ -35,7 +35,7 @@ void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& sp
 }
 
 Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, const Spacing& spacing,
-                      SmallPlaces& smaller, double least, const Particles& particles, Monitor& monitor) {
+                      SizeBounds& smaller, double least, const Particles& particles, Monitor& monitor) {
   const std::size_t first = smaller.size();
   shrink_around(points, spacing, smaller, least);
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "isobench/methods/particles/sampling/relaxation.h"
-#include "isobench/methods/particles/sampling/small_places.h"
+#include "isobench/methods/particles/sampling/size_bounds.h"
 
 namespace isobench::particles {
 
 /// Makes h smaller around the points, by 0.7 within 1.2 times the spacing, and rising again from there, but nowhere
 /// smaller than `least` mm. `smaller`, which gets the places, is where `spacing` looks for them.
-void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing, SmallPlaces& smaller,
+void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing, SizeBounds& smaller,
                    double least = 0.0);
 
 struct Exchange {
@@ -24,6 +24,6 @@ struct Exchange {
 /// population control, among the others, which stay. Time linear in the particles, but with a small factor: what counts
 /// are those that move.
 Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, const Spacing& spacing,
-                      SmallPlaces& smaller, double least, const Particles& particles, Monitor& monitor);
+                      SizeBounds& smaller, double least, const Particles& particles, Monitor& monitor);
 
 }  // namespace isobench::particles

@@ -59,7 +59,7 @@ class LocalRelaxationTest : public ::testing::Test {
   Monitor monitor;
   const Isosurface surface{sample_phantom(phantom("torus"), 48), 0.0};
   const SizingField field{apart};
-  SmallPlaces smaller{surface, 0.3};
+  SizeBounds smaller{surface, 0.3};
   const Spacing spacing{field, 1.0, &smaller};
   Particles all;
   std::vector<Vector3d> places;
@@ -114,7 +114,7 @@ TEST_F(LocalRelaxationTest, ASecondTimeShrinksFurther) {
 TEST_F(LocalRelaxationTest, DoesNotDependOnThreads) {
   const Exchange usual = run();
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
-  SmallPlaces others(surface, 0.3);
+  SizeBounds others(surface, 0.3);
   const Spacing same{field, 1.0, &others};
   const Exchange alone = relax_around(places, surface, same, others, 0.0, all, monitor);
   EXPECT_EQ(usual.gone, alone.gone);

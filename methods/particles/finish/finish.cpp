@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "isobench/methods/mesh/self_intersections.h"
-#include "isobench/methods/particles/finish/patch.h"
+#include "isobench/methods/particles/finish/local_search.h"
 #include "isobench/methods/particles/finish/smoothing.h"
 #include "isobench/methods/particles/finish/valence_edits.h"
 
@@ -30,16 +30,16 @@ constexpr int sweeps_a_round = 2;
 constexpr int last_sweeps = 4;
 
 /// Searches wider where narrower did not help: the last ones are dear, but there is hardly ever a place left for them.
-constexpr std::array<PatchSearch, 10> searches{
+constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 
 void improve_tail(const MeshGround& ground, EditableMesh& mesh, Monitor& monitor) {
-  for (const PatchSearch& search : searches) {
+  for (const SearchEffort& search : searches) {
     monitor.check();
-    const std::size_t improved = improve_bad_places(ground, mesh, ShapeGoal{}, search);
+    const std::size_t improved = improve_bad_spots(ground, mesh, ShapeGoal{}, search);
     monitor.trace("finish/places improved", static_cast<double>(improved));
   }
-  monitor.set("finish/places left", static_cast<double>(count_bad_places(ground, mesh, ShapeGoal{})));
+  monitor.set("finish/places left", static_cast<double>(count_bad_spots(ground, mesh, ShapeGoal{})));
 }
 
 void improve_everywhere(const MeshGround& ground, EditableMesh& edited, int rounds, Monitor& monitor) {

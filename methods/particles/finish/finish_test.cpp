@@ -13,7 +13,7 @@
 #include "isobench/methods/mesh/sample_meshes.h"
 #include "isobench/methods/mesh/self_intersections.h"
 #include "isobench/methods/method.h"
-#include "isobench/methods/particles/finish/patch.h"
+#include "isobench/methods/particles/finish/local_search.h"
 #include "isobench/methods/particles/finish/shape_energy.h"
 
 namespace isobench::particles {
@@ -235,7 +235,7 @@ class FinishPatch : public testing::Test {
 TEST_F(FinishPatch, PutBackUnchangedLeavesTheMesh) {
   const TriangleMesh before = mesh_.triangle_mesh();
   const std::vector<EditableMesh::Index> centres{17};
-  const Patch patch = cut_out(mesh_, centres, 3);
+  const Submesh patch = cut_out(mesh_, centres, 3);
   EXPECT_GT(patch.vertices.size(), 19U);
   EXPECT_EQ(patch.core.size(), mesh_.valence(17) + 1U);
   put_back(mesh_, patch);
@@ -252,7 +252,7 @@ TEST_F(FinishPatch, SearchMendsABadPlace) {
   ASSERT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
   ASSERT_NE(split_in_the_middle(ground, mesh_, 100), EditableMesh::none);
   ASSERT_GT(missed(ground, mesh_, ShapeGoal{}), 1.0);
-  EXPECT_EQ(improve_bad_places(ground, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
+  EXPECT_EQ(improve_bad_spots(ground, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
   EXPECT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
   EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).euler, 2);
   EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).open_edges, 0U);

@@ -30,7 +30,7 @@ Isosurface plane(int width) {
 
 /// A hexagonal packing of spacing 1 on a plane: those within make way for others, the frame around them is held fast,
 /// so that the number of particles is exactly the ideal one.
-struct Patch {
+struct Submesh {
   static constexpr int rows = 60;
   static constexpr int frame = 4;
   static constexpr double low = 4.0;
@@ -43,7 +43,7 @@ struct Patch {
 
   /// `place` says where the particle that a lattice place is for starts from.
   template <typename Place>
-  explicit Patch(Place place) {
+  explicit Submesh(Place place) {
     std::vector<Eigen::Vector3d> points;
     for (int r = 0; r < rows; ++r) {
       for (int c = 0; c < rows; ++c) {
@@ -103,7 +103,7 @@ struct Packing {
 };
 
 /// Of the particles that are free to move.
-Packing packing(const Patch& patch) {
+Packing packing(const Submesh& patch) {
   const std::vector<int> valence = voronoi_valence(patch.particles);
   const std::vector<double> energy = energies(patch.particles, acting_neighbours(patch.particles));
   Packing result;
@@ -120,7 +120,7 @@ Packing packing(const Patch& patch) {
 }
 
 TEST(RelaxationInOrder, LeavesAHexagonalPackingAlone) {
-  Patch patch([](std::size_t, const Eigen::Vector3d& x) { return x; });
+  Submesh patch([](std::size_t, const Eigen::Vector3d& x) { return x; });
   Monitor monitor;
   relax_in_order(patch.surface, patch.spacing, patch.particles, monitor, {}, patch.fixed);
   const Packing found = packing(patch);
@@ -129,7 +129,7 @@ TEST(RelaxationInOrder, LeavesAHexagonalPackingAlone) {
 }
 
 TEST(RelaxationInOrder, RestoresAPerturbedPacking) {
-  Patch patch([](std::size_t n, const Eigen::Vector3d& x) {
+  Submesh patch([](std::size_t n, const Eigen::Vector3d& x) {
     const double angle = 2.0 * std::numbers::pi * uniform(3, n, 0);
     return Eigen::Vector3d(x + 0.3 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
   });
@@ -145,7 +145,7 @@ TEST(RelaxationInOrder, RestoresAPerturbedPacking) {
 
 // A published round ends while the grains that disorder freezes into are still many, near 78 %; going on heals most.
 TEST(RelaxationInOrder, OrdersRandomPositions) {
-  Patch patch([](std::size_t n, const Eigen::Vector3d&) { return Patch::anywhere(n); });
+  Submesh patch([](std::size_t n, const Eigen::Vector3d&) { return Submesh::anywhere(n); });
   ASSERT_LT(packing(patch).valence_six_percent, 40.0);
   Monitor monitor;
   relax_in_order(patch.surface, patch.spacing, patch.particles, monitor, {0.0, 400}, patch.fixed);

@@ -9,7 +9,7 @@
 #include "isobench/datasets/isosurface.h"
 #include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
-#include "isobench/methods/particles/sampling/small_places.h"
+#include "isobench/methods/particles/sampling/size_bounds.h"
 #include "isobench/methods/sizing/sizing_field.h"
 
 namespace isobench::particles {
@@ -17,8 +17,8 @@ namespace isobench::particles {
 /// How far apart particles shall be at a point: h/g.
 struct Spacing {
   const SizingField& field;
-  double contraction = 1.0;            ///< g
-  const SmallPlaces* finer = nullptr;  ///< where h is smaller than the field can say
+  double contraction = 1.0;           ///< g
+  const SizeBounds* finer = nullptr;  ///< where h is smaller than the field can say
   double operator()(const Eigen::Vector3d& x) const {
     const double h = field.h(x);
     return (finer == nullptr ? h : std::min(h, finer->bound(x))) / contraction;

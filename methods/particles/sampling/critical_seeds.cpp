@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/sampling/fine_places.h"
+#include "isobench/methods/particles/sampling/critical_seeds.h"
 
 #include <tbb/parallel_for.h>
 
@@ -54,9 +54,9 @@ bool has_room(const Candidate& candidate, const std::vector<Candidate>& others) 
 
 }  // namespace
 
-std::vector<SmallPlace> fine_places(const std::vector<CriticalPoint>& points, double epsilon, double least,
-                                    double voxel) {
-  std::vector<SmallPlace> places;
+std::vector<SizeBound> critical_bounds(const std::vector<CriticalPoint>& points, double epsilon, double least,
+                                       double voxel) {
+  std::vector<SizeBound> places;
   places.reserve(points.size());
   for (const CriticalPoint& point : points) {
     places.push_back({point.position, std::max(least, 2.0 * epsilon * point.distance), 0.0, voxel});
@@ -64,8 +64,8 @@ std::vector<SmallPlace> fine_places(const std::vector<CriticalPoint>& points, do
   return places;
 }
 
-void add_seeds_at(const std::vector<CriticalPoint>& points, const SmallPlaces& places, const Isosurface& surface,
-                  const Spacing& spacing, std::uint64_t seed, std::vector<Vector3d>& seeds) {
+void add_critical_seeds(const std::vector<CriticalPoint>& points, const SizeBounds& places, const Isosurface& surface,
+                        const Spacing& spacing, std::uint64_t seed, std::vector<Vector3d>& seeds) {
   constexpr double seeded = 2.0;  // voxels around a point
   const double reach = seeded * surface.voxel();
   std::vector<std::vector<Candidate>> candidates(points.size());

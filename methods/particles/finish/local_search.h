@@ -23,7 +23,7 @@ struct ShapeGoal {
 double missed(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal);
 
 /// A piece of a mesh as a mesh of its own: its border is fixed.
-struct Patch {
+struct Submesh {
   EditableMesh mesh;
   std::vector<EditableMesh::Index> vertices;   ///< of the whole mesh, one for each of the piece's
   std::vector<EditableMesh::Index> triangles;  ///< of the whole mesh
@@ -32,11 +32,11 @@ struct Patch {
 
 /// All triangles with a corner at most `rings` - 1 edges from one of the centres; the core is the centres and their
 /// neighbours.
-Patch cut_out(const EditableMesh& mesh, std::span<const EditableMesh::Index> centres, int rings);
-void put_back(EditableMesh& mesh, const Patch& patch);
+Submesh cut_out(const EditableMesh& mesh, std::span<const EditableMesh::Index> centres, int rings);
+void put_back(EditableMesh& mesh, const Submesh& patch);
 
 /// How far to search on a patch.
-struct PatchSearch {
+struct SearchEffort {
   int rings = 3;
   int depth = 1;  ///< changes in a row
   int beam = 1;   ///< states kept after each
@@ -44,14 +44,14 @@ struct PatchSearch {
 
 /// Tries flips, collapses and divisions around the core, with smoothing; true, and the patch changed, where less of the
 /// goal is missed then.
-bool improve(const MeshGround& ground, Patch& patch, const ShapeGoal& goal, const PatchSearch& search);
+bool improve(const MeshGround& ground, Submesh& patch, const ShapeGoal& goal, const SearchEffort& search);
 
 /// Improves all places that miss the goal, those that do not meet in parallel. Returns how many were improved.
 /// The result does not depend on the number of threads.
-std::size_t improve_bad_places(const MeshGround& ground, EditableMesh& mesh, const ShapeGoal& goal,
-                               const PatchSearch& search);
+std::size_t improve_bad_spots(const MeshGround& ground, EditableMesh& mesh, const ShapeGoal& goal,
+                              const SearchEffort& search);
 
 /// Triangles and vertices that miss the goal.
-std::size_t count_bad_places(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal);
+std::size_t count_bad_spots(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal);
 
 }  // namespace isobench::particles

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/patch.h"
+#include "isobench/methods/particles/finish/local_search.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -196,8 +196,8 @@ double missed(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoa
   return sum;
 }
 
-Patch cut_out(const EditableMesh& mesh, std::span<const Index> centres, int rings) {
-  Patch patch;
+Submesh cut_out(const EditableMesh& mesh, std::span<const Index> centres, int rings) {
+  Submesh patch;
   std::unordered_map<Index, Index> place;
   const auto reach = [&](Index v) {
     const auto [found, fresh] = place.try_emplace(v, static_cast<Index>(patch.vertices.size()));
@@ -241,7 +241,7 @@ Patch cut_out(const EditableMesh& mesh, std::span<const Index> centres, int ring
   return patch;
 }
 
-void put_back(EditableMesh& mesh, const Patch& patch) {
+void put_back(EditableMesh& mesh, const Submesh& patch) {
   std::vector<Index> place = patch.vertices;
   for (Index n = 0; n < patch.mesh.vertex_count(); ++n) {
     if (n >= place.size()) {
@@ -260,7 +260,7 @@ void put_back(EditableMesh& mesh, const Patch& patch) {
   mesh.replace(patch.triangles, fresh);
 }
 
-bool improve(const MeshGround& ground, Patch& patch, const ShapeGoal& goal, const PatchSearch& search) {
+bool improve(const MeshGround& ground, Submesh& patch, const ShapeGoal& goal, const SearchEffort& search) {
   const double before = missed(ground, patch.mesh, goal);
   if (!(before > 0.0)) return false;
   State best{patch.mesh, before};
@@ -287,13 +287,13 @@ bool improve(const MeshGround& ground, Patch& patch, const ShapeGoal& goal, cons
   return true;
 }
 
-std::size_t improve_bad_places(const MeshGround& ground, EditableMesh& mesh, const ShapeGoal& goal,
-                               const PatchSearch& search) {
-  std::vector<Patch> patches;
+std::size_t improve_bad_spots(const MeshGround& ground, EditableMesh& mesh, const ShapeGoal& goal,
+                              const SearchEffort& search) {
+  std::vector<Submesh> patches;
   std::vector<std::uint8_t> taken(mesh.vertex_count(), 0);
   for (const auto& place : bad_places(ground, mesh, goal)) {
     if (std::any_of(place.begin(), place.end(), [&](Index v) { return taken[v] != 0; })) continue;
-    Patch patch = cut_out(mesh, place, search.rings);
+    Submesh patch = cut_out(mesh, place, search.rings);
     if (std::any_of(patch.vertices.begin(), patch.vertices.end(), [&](Index v) { return taken[v] != 0; })) continue;
     for (const Index v : patch.vertices) taken[v] = 1;
     patches.push_back(std::move(patch));
@@ -315,7 +315,7 @@ std::size_t improve_bad_places(const MeshGround& ground, EditableMesh& mesh, con
   return improved;
 }
 
-std::size_t count_bad_places(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal) {
+std::size_t count_bad_spots(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal) {
   return bad_places(ground, mesh, goal).size();
 }
 

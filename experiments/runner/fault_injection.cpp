@@ -1,4 +1,4 @@
-#include "isobench/experiments/runner/fault.h"
+#include "isobench/experiments/runner/fault_injection.h"
 
 #include <chrono>
 #include <csignal>

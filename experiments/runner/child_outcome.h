@@ -9,14 +9,14 @@
 
 namespace isobench {
 
-struct EndRecord {
+struct ChildOutcome {
   RunRecord record;
   bool own = false;  ///< the child's; else one that says how it failed
 };
 
 /// What to keep of a child that came to its end, with what it left in `folder`: its own record or, where that is
 /// missing or nonsense, one with the signal, the exit code and the last lines of its log, or with what was wrong.
-EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double seconds,
+ChildOutcome outcome_of(const RunRequest& request, const ChildExit& exit, double seconds,
                         const std::filesystem::path& folder);
 
 /// Of a child that is beyond its limit of minutes or memory and has to be stopped; std::nullopt where it is within

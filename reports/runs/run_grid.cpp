@@ -1,4 +1,4 @@
-#include "isobench/reports/runs/arrangement.h"
+#include "isobench/reports/runs/run_grid.h"
 
 #include <fmt/format.h>
 
@@ -48,9 +48,9 @@ std::string sizing_name(const SizingRequest& sizing) {
   return sizing.floor == SizingRequest{}.floor ? text : text + fmt::format(", floor {} voxels", sizing.floor);
 }
 
-Arrangement arrange(const Results& results) {
+RunGrid arrange_runs(const Results& results) {
   const Naming naming(results.records);
-  Arrangement arrangement;
+  RunGrid arrangement;
   for (const RunRecord& record : results.records) {
     const RunRequest& request = record.request;
     if (request.aside) continue;

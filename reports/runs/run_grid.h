@@ -18,7 +18,7 @@ struct Variant {
   std::map<std::string, Runs> runs;  ///< by dataset
 };
 
-struct Arrangement {
+struct RunGrid {
   std::vector<std::string> datasets;  ///< in the order of the plan
   std::vector<Variant> variants;
   std::string timing;  ///< usual_timing(): of these runs alone are seconds compared
@@ -29,7 +29,7 @@ struct Arrangement {
 std::string sizing_name(const SizingRequest& sizing);
 
 /// Of all runs but those that are aside. Points into `results`.
-Arrangement arrange(const Results& results);
+RunGrid arrange_runs(const Results& results);
 
 /// The runs of a variant on a dataset, of every seed and repeat; empty where there is none.
 const Runs& find_runs(const Variant& variant, const std::string& dataset);

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/sampling/small_places.h"
+#include "isobench/methods/particles/sampling/size_bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "isobench/datasets/phantoms/phantoms.h"
-#include "isobench/methods/particles/sampling/fine_places.h"
+#include "isobench/methods/particles/sampling/critical_seeds.h"
 
 namespace isobench::particles {
 namespace {
@@ -22,7 +22,7 @@ class SmallPlacesTest : public ::testing::Test {
   const Isosurface surface{sample_phantom(phantom("sphere"), 40), 0.0};
   const double voxel = surface.voxel();
   const Vector3d middle = 0.5 * surface.extent();
-  SmallPlaces places{surface, delta};
+  SizeBounds places{surface, delta};
 };
 
 TEST_F(SmallPlacesTest, NoneBoundsNothing) {
@@ -35,7 +35,7 @@ TEST_F(SmallPlacesTest, BoundRisesFromACriticalPointAndEndsFourVoxelsAway) {
   CriticalPoint point;
   point.position = middle;
   point.distance = 0.1 * voxel;
-  places.add(fine_places({point}, 0.5, 0.02 * voxel, voxel));
+  places.add(critical_bounds({point}, 0.5, 0.02 * voxel, voxel));
   EXPECT_DOUBLE_EQ(places.at(0).edge, 0.1 * voxel);
   EXPECT_DOUBLE_EQ(places.bound(middle), 0.1 * voxel);
   EXPECT_NEAR(places.bound(middle + Vector3d(0.0, voxel, 0.0)), (0.1 + delta) * voxel, 1e-12);
@@ -48,11 +48,11 @@ TEST_F(SmallPlacesTest, AnEdgeIsNotBelowTheLeast) {
   CriticalPoint point;
   point.position = middle;
   point.distance = 0.001 * voxel;
-  EXPECT_DOUBLE_EQ(fine_places({point}, 0.5, 0.02 * voxel, voxel).front().edge, 0.02 * voxel);
+  EXPECT_DOUBLE_EQ(critical_bounds({point}, 0.5, 0.02 * voxel, voxel).front().edge, 0.02 * voxel);
 }
 
 TEST_F(SmallPlacesTest, AroundAFlatPlaceTheBoundStaysAndThenRises) {
-  const SmallPlace place{middle, 0.7, 1.2, 1.0};
+  const SizeBound place{middle, 0.7, 1.2, 1.0};
   places.add({place});
   for (const double away : {0.0, 0.6, 1.19}) EXPECT_DOUBLE_EQ(places.bound(middle + Vector3d(away, 0, 0)), 0.7);
   EXPECT_NEAR(places.bound(middle + Vector3d(2.2, 0.0, 0.0)), 0.7 + delta, 1e-12);
@@ -62,7 +62,7 @@ TEST_F(SmallPlacesTest, AroundAFlatPlaceTheBoundStaysAndThenRises) {
 
 // Places of very different reach are kept apart, and the smallest bound of all holds, wherever the places stand.
 TEST_F(SmallPlacesTest, TheSmallestBoundHolds) {
-  std::vector<SmallPlace> all;
+  std::vector<SizeBound> all;
   for (int n = 0; n < 60; ++n) {
     const Vector3d at = surface.extent().cwiseProduct(
         Vector3d(std::abs(std::sin(n)), std::abs(std::sin(2.3 * n + 1)), std::abs(std::sin(3.7 * n + 2))));
@@ -78,7 +78,7 @@ TEST_F(SmallPlacesTest, TheSmallestBoundHolds) {
     double bound = infinite;
     double units = infinite;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      SmallPlaces alone(surface, delta);
+      SizeBounds alone(surface, delta);
       alone.add({all[i]});
       bound = std::min(bound, alone.bound(x));
       if (i >= 20 && alone.bound(x) < infinite) units = std::min(units, (x - all[i].position).norm() / all[i].unit);

@@ -1,5 +1,5 @@
 // A bridge far thinner than the sizing's floor: two spheres whose fields nearly join.
-#include "isobench/methods/particles/sampling/fine_places.h"
+#include "isobench/methods/particles/sampling/critical_seeds.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 namespace isobench::particles {
 
 /// mm throughout, positions in the lattice frame.
-struct SmallPlace {
+struct SizeBound {
   Eigen::Vector3d position;
   double edge = 0.0;  ///< h there
   double flat = 0.0;  ///< how far around it h is bounded by the same
@@ -20,16 +20,16 @@ struct SmallPlace {
 
 /// An upper bound on h around places. Beyond a place's flat part it rises by δ a mm and, after a unit, more than that,
 /// so that nothing is bounded from four units on.
-class SmallPlaces {
+class SizeBounds {
  public:
-  SmallPlaces(const Isosurface& surface, double delta);
+  SizeBounds(const Isosurface& surface, double delta);
 
   /// Time and memory linear in the places; the first one of a new order of size also takes 4 bytes per brick of four
   /// voxels, or more, a side.
-  void add(const std::vector<SmallPlace>& places);
+  void add(const std::vector<SizeBound>& places);
 
   std::size_t size() const { return places_.size(); }
-  const SmallPlace& at(std::size_t n) const { return places_[n]; }
+  const SizeBound& at(std::size_t n) const { return places_[n]; }
   /// mm; infinite where nothing is bounded.
   double bound(const Eigen::Vector3d& x) const;
   /// The least distance to one of the places from number `first` on, each in its own units; infinite where none bounds.
@@ -54,7 +54,7 @@ class SmallPlaces {
   double delta_;
   double voxel_;
   Eigen::Vector3d extent_;
-  std::vector<SmallPlace> places_;
+  std::vector<SizeBound> places_;
   std::vector<Level> levels_;
 };
 

@@ -10,15 +10,15 @@ namespace isobench {
 /// A value that is never changed in place, so that its copies can hold it together: a hundred thousand runs have a
 /// handful of sets of parameters. Converts from a value; to change it, assign another one.
 template <class T>
-class Shared {
+class SharedValue {
  public:
-  Shared() : value_(nothing()) {}
-  Shared(T value) : value_(std::make_shared<const T>(std::move(value))) {}  // NOLINT: stands where a T would stand
+  SharedValue() : value_(nothing()) {}
+  SharedValue(T value) : value_(std::make_shared<const T>(std::move(value))) {}  // NOLINT: stands where a T would stand
 
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
 
-  friend bool operator==(const Shared& a, const Shared& b) { return a.value_ == b.value_ || *a == *b; }
+  friend bool operator==(const SharedValue& a, const SharedValue& b) { return a.value_ == b.value_ || *a == *b; }
 
  private:
   static const std::shared_ptr<const T>& nothing() {
@@ -34,13 +34,13 @@ template <class T>
 class SharedPool {
  public:
   /// The first value that was equal to this one.
-  const Shared<T>& first_of(const Shared<T>& value) { return *values_.insert(value).first; }
+  const SharedValue<T>& first_of(const SharedValue<T>& value) { return *values_.insert(value).first; }
 
  private:
   struct Less {
-    bool operator()(const Shared<T>& a, const Shared<T>& b) const { return *a < *b; }
+    bool operator()(const SharedValue<T>& a, const SharedValue<T>& b) const { return *a < *b; }
   };
-  std::set<Shared<T>, Less> values_;
+  std::set<SharedValue<T>, Less> values_;
 };
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-#include "isobench/reports/claims/claim_sides.h"
+#include "isobench/reports/claims/claimed_values.h"
 
 #include <fmt/format.h>
 
@@ -41,8 +41,8 @@ Runs runs_for(const Results& results, const PublishedMethod& method) {
   return {};
 }
 
-Side side_of(const PublishedClaim& claim, const PublishedMethod& method, const Runs& runs) {
-  Side side;
+ClaimedValue claimed_value(const PublishedClaim& claim, const PublishedMethod& method, const Runs& runs) {
+  ClaimedValue side;
   side.name = runs.empty() ? method.name : runs.front()->request.label;
   if (runs.empty()) side.absent = method.name + " was not run";
   std::vector<double> values;
@@ -66,13 +66,13 @@ Side side_of(const PublishedClaim& claim, const PublishedMethod& method, const R
   return side;
 }
 
-std::string text_of(const Side& side) {
+std::string text_of(const ClaimedValue& side) {
   const std::string low = significant(side.low, 3);
   const std::string high = significant(side.high, 3);
   return (low == high ? low : low + "–" + high) + (side.open ? " †" : "");
 }
 
-std::string median_text(const Side& side) {
+std::string median_text(const ClaimedValue& side) {
   const std::string range = text_of(side);
   return side.low < side.high ? fmt::format("{} ({})", significant(side.median, 3), range) : range;
 }
@@ -82,7 +82,7 @@ Relation stronger(Relation a, Relation b) {
   return b;
 }
 
-bool holds(const PublishedClaim& claim, const Side& left, Relation relation, const Side& right) {
+bool holds(const PublishedClaim& claim, const ClaimedValue& left, Relation relation, const ClaimedValue& right) {
   switch (relation) {
     case Relation::about:
       return std::max(left.high, right.high) - std::min(left.low, right.low) <=

@@ -1,4 +1,4 @@
-#include "isobench/experiments/runner/ending.h"
+#include "isobench/experiments/runner/child_outcome.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ std::string exit_reason(const ChildExit& exit, const std::filesystem::path& log)
 
 }  // namespace
 
-EndRecord record_of_end(const RunRequest& request, const ChildExit& exit, double seconds,
+ChildOutcome outcome_of(const RunRequest& request, const ChildExit& exit, double seconds,
                         const std::filesystem::path& folder) {
   std::string reason;
   if (exit.signal != 0 || !std::filesystem::is_regular_file(folder / "run.json")) {

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/sampling/small_places.h"
+#include "isobench/methods/particles/sampling/size_bounds.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,19 +13,19 @@ constexpr double units_reached = 4.0;
 constexpr double least_brick = 4.0;  // voxels
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double reach_of(const SmallPlace& place) { return place.flat + units_reached * place.unit; }
+double reach_of(const SizeBound& place) { return place.flat + units_reached * place.unit; }
 
 }  // namespace
 
-SmallPlaces::SmallPlaces(const Isosurface& surface, double delta)
+SizeBounds::SizeBounds(const Isosurface& surface, double delta)
     : delta_(delta), voxel_(surface.voxel()), extent_(surface.extent()) {}
 
-std::size_t SmallPlaces::Level::brick_of(const Vector3d& x) const {
+std::size_t SizeBounds::Level::brick_of(const Vector3d& x) const {
   const Eigen::Array3i at = (x.array() / brick).cast<int>().max(0).min(bricks - 1);
   return static_cast<std::size_t>((static_cast<std::ptrdiff_t>(at[2]) * bricks[1] + at[1]) * bricks[0] + at[0]);
 }
 
-void SmallPlaces::Level::add(std::uint32_t place, const Vector3d& position, const Vector3d& extent) {
+void SizeBounds::Level::add(std::uint32_t place, const Vector3d& position, const Vector3d& extent) {
   std::vector<std::size_t> met;
   for (int corner = 0; corner < 27; ++corner) {
     const Eigen::Vector3i way(corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1);
@@ -43,7 +43,7 @@ void SmallPlaces::Level::add(std::uint32_t place, const Vector3d& position, cons
   }
 }
 
-SmallPlaces::Level& SmallPlaces::level_for(double reach) {
+SizeBounds::Level& SizeBounds::level_for(double reach) {
   double brick = least_brick * voxel_;
   while (brick < reach) brick *= 2.0;
   for (Level& level : levels_) {
@@ -56,15 +56,15 @@ SmallPlaces::Level& SmallPlaces::level_for(double reach) {
   return levels_.emplace_back(std::move(level));
 }
 
-void SmallPlaces::add(const std::vector<SmallPlace>& places) {
-  for (const SmallPlace& place : places) {
+void SizeBounds::add(const std::vector<SizeBound>& places) {
+  for (const SizeBound& place : places) {
     level_for(reach_of(place)).add(static_cast<std::uint32_t>(places_.size()), place.position, extent_);
     places_.push_back(place);
   }
 }
 
 template <class Visit>
-void SmallPlaces::visit_near(const Vector3d& x, Visit&& visit) const {
+void SizeBounds::visit_near(const Vector3d& x, Visit&& visit) const {
   for (const Level& level : levels_) {
     const std::int32_t list = level.list_of_brick[level.brick_of(x)];
     if (list < 0) continue;
@@ -75,10 +75,10 @@ void SmallPlaces::visit_near(const Vector3d& x, Visit&& visit) const {
   }
 }
 
-double SmallPlaces::bound(const Vector3d& x) const {
+double SizeBounds::bound(const Vector3d& x) const {
   double bound = infinite;
   visit_near(x, [&](std::uint32_t n, double away) {
-    const SmallPlace& place = places_[n];
+    const SizeBound& place = places_[n];
     const double out = std::max(0.0, away - place.flat);
     const double beyond = std::max(0.0, out / place.unit - 1.0);
     bound = std::min(bound, place.edge + delta_ * out + 0.125 * beyond * beyond * place.unit);
@@ -86,7 +86,7 @@ double SmallPlaces::bound(const Vector3d& x) const {
   return bound;
 }
 
-double SmallPlaces::units_from(const Vector3d& x, std::size_t first) const {
+double SizeBounds::units_from(const Vector3d& x, std::size_t first) const {
   double least = infinite;
   visit_near(x, [&](std::uint32_t n, double away) {
     if (n >= first) least = std::min(least, away / places_[n].unit);
