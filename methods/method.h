@@ -18,6 +18,11 @@
 
 namespace isobench {
 
+/// Whether nothing is asked for. Only a method with Method::ignores_sizing can mesh so.
+inline bool is_empty(const SizingRequest& sizing) {
+  return !sizing.epsilon && !sizing.delta && !sizing.edge_length && !sizing.vertices;
+}
+
 /// What every method is asked: mesh this surface, at this sizing.
 class MeshingTask {
  public:
@@ -45,6 +50,7 @@ struct Method {
   bool deterministic = true;  ///< same seed, same bytes, for any number of threads
   /// Where that hangs on the parameters, whether it holds with these; else null.
   bool (*deterministic_with)(const Parameters&) = nullptr;
+  bool ignores_sizing = false;  ///< triangles are of the lattice's size, whatever sizing is asked for
   ParameterSchema parameters;
   /// The mesh in the lattice frame of the surface. Throws Skipped with the reason where the method cannot do the task.
   TriangleMesh (*mesh)(const MeshingTask&, Monitor&) = nullptr;

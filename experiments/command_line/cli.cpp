@@ -47,6 +47,16 @@ void add_tables_only(CLI::App& verb, CommandLine& line) {
       ->envname("ISOBENCH_TABLES_ONLY");
 }
 
+void add_surface(CLI::App& verb, SurfaceArguments& surface) {
+  verb.add_option("--dataset", surface.dataset, "a name of `isobench list datasets`");
+  verb.add_option("--volume", surface.volume, "a file: NRRD, MetaImage, NIfTI, VTI, INRIMAGE");
+  verb.add_option("--isovalue", surface.isovalue, "with --volume: the value of F at the surface");
+  verb.add_option("--inside", surface.inside, "with --volume: whether the object is above or below the isovalue")
+      ->check(CLI::IsMember({"above", "below"}))
+      ->capture_default_str();
+  verb.add_option("--smooth", surface.smooth, "with --volume: Gaussian sigma in voxels")->check(CLI::NonNegativeNumber);
+}
+
 void add_sizing(CLI::App& verb, SizingRequest& sizing) {
   verb.add_option("--epsilon", sizing.epsilon, "adaptive: edges up to 2 epsilon times the local feature size");
   verb.add_option("--delta", sizing.delta, "adaptive: Lipschitz bound of the sizing");
@@ -125,14 +135,9 @@ void add_compare(CLI::App& app, CommandLine& line) {
 
 void add_mesh(CLI::App& app, CommandLine& line) {
   MeshArguments& mesh = line.mesh;
-  CLI::App* verb = app.add_subcommand("mesh", "Mesh a dataset or a volume file");
-  verb->add_option("--dataset", mesh.dataset, "a name of `isobench list datasets`");
-  verb->add_option("--volume", mesh.volume, "a file: NRRD, MetaImage, NIfTI, VTI, INRIMAGE");
-  verb->add_option("--isovalue", mesh.isovalue, "the surface, with --volume");
-  verb->add_option("--inside", mesh.inside, "the object: above or below the isovalue")
-      ->check(CLI::IsMember({"above", "below"}))
-      ->capture_default_str();
-  verb->add_option("--smooth", mesh.smooth, "Gaussian sigma in voxels, with --volume")->check(CLI::NonNegativeNumber);
+  CLI::App* verb = app.add_subcommand(
+      "mesh", "Mesh a dataset or a volume file; without a sizing it takes --epsilon 0.5 --delta 0.3");
+  add_surface(*verb, mesh.surface);
   add_sizing(*verb, mesh.sizing);
   verb->add_option("--method", mesh.method, "a name of `isobench list methods`")->capture_default_str();
   verb->add_option("--set", mesh.set, "a parameter of the method: key=value");
@@ -147,12 +152,14 @@ void add_mesh(CLI::App& app, CommandLine& line) {
 void add_measure(CLI::App& app, CommandLine& line) {
   MeasureArguments& measure = line.measure;
   CLI::App* verb = app.add_subcommand(
-      "measure", "Measure a mesh file against a dataset's surface, or every mesh of a results folder again");
+      "measure",
+      "Measure a mesh file, by itself or against the surface of a dataset or volume file; or every mesh of a results "
+      "folder again");
   verb->add_option("mesh", measure.mesh,
-                   "a mesh of any program, in the dataset's world coordinates, mm; or a results folder")
+                   "a mesh of any program, in mm and, with a surface, in its world coordinates; or a results folder")
       ->required();
-  verb->add_option("--dataset", measure.dataset, "of a mesh file: a name of `isobench list datasets`");
-  verb->add_option("--epsilon", measure.epsilon, "compare edges with h0 of this epsilon");
+  add_surface(*verb, measure.surface);
+  verb->add_option("--epsilon", measure.epsilon, "compare edges with h0 of this epsilon; needs a surface");
   verb->add_option("--floor", measure.floor, "of h0, voxels")->capture_default_str();
   verb->add_option("--reference-k", measure.reference_k, "refinement of the reference topology")
       ->check(CLI::Range(1, 8))

@@ -7,7 +7,7 @@
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/foundation/toml.h"
 #include "isobench/methods/method.h"
-#include "isobench/metrics/measurement.h"
+#include "isobench/metrics/metric.h"
 #include "isobench/reports/csv/results_csv.h"
 #include "isobench/reports/record/environment.h"
 
@@ -53,9 +53,22 @@ void list_all_methods() {
   }
 }
 
+std::string needs(const Metric& metric) {
+  switch (metric.needs) {
+    case Needs::mesh:
+      return "";
+    case Needs::surface:
+      return " Needs the surface.";
+    case Needs::sizing:
+      return " Needs the surface and a sizing.";
+  }
+  return "";
+}
+
 void list_all_metrics() {
-  for (const MetricDefinition& metric : metric_definitions()) {
-    fmt::print("{:28} {:8} {}\n", metric.name, metric.unit, metric.definition);
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    const FigureDeclaration& figure = declared_figures()[n];
+    fmt::print("{:28} {:8} {}{}\n", figure.name, figure.unit, full_definition(figure), needs(metric_of_figure(n)));
   }
 }
 

@@ -54,11 +54,11 @@ TEST(MatchedExperiment, BringsTheOthersToTheNumberOfVertices) {
   const RunRecord& cubes = records.at("marching-cubes");
   EXPECT_FALSE(particles.match.has_value());
 
-  const auto vertices = static_cast<double>(particles.measurement->vertices);
+  const auto vertices = particles.measurement->number("vertices");
   ASSERT_TRUE(looser.match.has_value());
   EXPECT_EQ(looser.match->vertices, vertices);
   EXPECT_EQ(looser.match->reason, "");
-  EXPECT_NEAR(static_cast<double>(looser.measurement->vertices), vertices, 0.02 * vertices);
+  EXPECT_NEAR(looser.measurement->number("vertices"), vertices, 0.02 * vertices);
   // A looser contraction gives fewer vertices, so its edges had to be asked shorter: by 1.1/1.5, as counts go.
   EXPECT_NEAR(looser.match->scale, 1.1 / 1.5, 0.05);
   EXPECT_GE(looser.match->tries, 2);

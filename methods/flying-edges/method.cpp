@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace isobench {
@@ -55,10 +56,9 @@ TriangleMesh mesh_of(vtkPolyData& polygons, const Eigen::Vector3d& spacing) {
 }
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
-  monitor.note(
-      "flying-edges: triangles of the lattice's size through the samples, trilinear, not through the spline's F = c; "
-      "the "
-      "sizing that was asked for has no effect");
+  const std::string note =
+      "flying-edges: triangles of the lattice's size through the samples, trilinear, not through the spline's F = c";
+  monitor.note(is_empty(task.sizing) ? note : note + "; the sizing that was asked for has no effect");
   vtkNew<vtkFlyingEdges3D> flying_edges;
   flying_edges->SetInputData(image_of(task.surface));
   flying_edges->SetValue(0, 0.0);
@@ -83,6 +83,7 @@ Method method_flying_edges() {
       "VTK's flying edges (Schroeder, Maynard, Geveci 2015): marching cubes on the samples, trilinear, at the "
       "lattice's "
       "own size whatever the sizing";
+  method.ignores_sizing = true;
   method.mesh = mesh;
   return method;
 }

@@ -6,7 +6,8 @@ namespace isobench {
 namespace {
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
-  monitor.note("marching-cubes: one vertex a crossed lattice edge; the sizing that was asked for has no effect");
+  if (!is_empty(task.sizing))
+    monitor.note("marching-cubes: one vertex a crossed lattice edge; the sizing that was asked for has no effect");
   return marching_cubes(task.surface, monitor);
 }
 
@@ -18,6 +19,7 @@ Method method_marching_cubes() {
   method.summary =
       "Marching cubes at the lattice's own size, whatever the sizing, with vertices on F = c of the spline "
       "(Lorensen, Cline 1987, as in Meyer, Kirby, Whitaker 2007)";
+  method.ignores_sizing = true;
   method.mesh = mesh;
   return method;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/text/markdown.h"
 
 namespace isobench {
@@ -20,7 +21,7 @@ Runs finished(const Runs& runs) {
   return result;
 }
 
-bool sound(const RunRecord& run) { return run.measurement && run.measurement->topology.closed_manifold(); }
+bool sound(const RunRecord& run) { return run.measurement && is_closed_manifold(*run.measurement); }
 
 Runs gated(const Runs& runs) {
   Runs result = finished(runs);
