@@ -24,11 +24,11 @@ void measure(MetricInput& input, MetricOutput& output) {
   const std::vector<Eigen::Vector3d>& x = input.mesh().vertices;
   // From a point of the mesh, or the tetrahedra of a small mesh far from the origin would cancel each other's digits.
   const Eigen::Vector3d& origin = x[input.mesh().triangles.front()[0]];
-  double volume = 0.0;
+  double six_volumes = 0.0;
   for (const Triangle& t : input.mesh().triangles) {
-    volume += (x[t[0]] - origin).dot((x[t[1]] - origin).cross(x[t[2]] - origin)) / 6.0;
+    six_volumes += (x[t[0]] - origin).dot((x[t[1]] - origin).cross(x[t[2]] - origin));
   }
-  output.set("volume", volume);
+  output.set("volume", six_volumes / 6.0);
 }
 
 }  // namespace

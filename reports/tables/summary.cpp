@@ -63,7 +63,7 @@ std::string edge_lines(const Measurement& m) {
 
 std::string topology_line(const Measurement& m) {
   if (!has_surface(m)) {
-    return fmt::format("components {}, Euler {}; of the surface {}", m.number("components"), m.number("euler"),
+    return fmt::format("components {}, Euler {} (surface {})", m.number("components"), m.number("euler"),
                        not_measured(m, "euler_reference"));
   }
   return fmt::format("components {} (surface {}), Euler {} (surface {}, counted at k = {})", m.number("components"),
