@@ -160,7 +160,7 @@ std::string to_string(Kernel kernel) {
 std::string to_string(Inside inside) { return inside == Inside::above ? "above" : "below"; }
 
 Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel kernel)
-    : lattice_(std::move(volume.lattice)),
+    : lattice_(volume.lattice),
       isovalue_(isovalue),
       inside_(inside),
       kernel_(kernel),
@@ -171,18 +171,18 @@ Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel ker
     throw DataError(fmt::format("the volume has {}×{}×{} nodes; a spline surface needs at least 4 along each axis",
                                 size[0], size[1], size[2]));
   }
-  const Range range = sample_range(volume);
+  // Integers and doubles lose digits here if they are large beside their differences; a constant that should be
+  // subtracted from them first belongs here.
+  FloatVolume floats = as_float(std::move(volume));
+  const Range range = sample_range(floats);
   if (!(isovalue > range.min && isovalue < range.max)) {
     throw DataError(fmt::format("isovalue {} is outside the range of the samples, {} to {}; choose one between them",
                                 isovalue, range.min, range.max));
   }
   for (int axis = 0; axis < 3; ++axis) extent_[axis] = lattice_.spacing[axis] * (size[axis] - 1);
-  if (kernel == Kernel::interpolating_bspline) {
-    volume.lattice = lattice_;
-    interpolating_coefficients(volume);
-  }
+  if (kernel == Kernel::interpolating_bspline) interpolating_coefficients(floats);
 
-  coefficients_ = std::move(volume.samples);
+  coefficients_ = std::move(floats.samples);
   const double sign = inside == Inside::above ? 1.0 : -1.0;
   for (float& c : coefficients_) c = static_cast<float>(sign * (c - isovalue));
   check_crossing();

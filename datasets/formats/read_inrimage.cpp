@@ -88,8 +88,8 @@ Volume read_inrimage(const std::filesystem::path& path) {
   const Eigen::Vector3d origin(number("TX", 0.0), number("TY", 0.0), number("TZ", 0.0));
   Volume volume;
   volume.lattice = make_lattice(path, size, spacing, Eigen::Matrix3d::Identity(), origin, "");
-  const SampleType type = type_of(fields, path);
-  read_samples(reader, volume.lattice.nodes(), type, order_of(fields.contains("CPU") ? fields.at("CPU") : "decm", path),
+  volume.samples = Samples(type_of(fields, path));
+  read_samples(reader, volume.lattice.nodes(), order_of(fields.contains("CPU") ? fields.at("CPU") : "decm", path),
                volume.samples);
   return volume;
 }

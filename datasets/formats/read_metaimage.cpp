@@ -80,15 +80,16 @@ Volume read_metaimage(const std::filesystem::path& path) {
   const std::string type_name = header.text({"ElementType"}, "");
   const auto type = sample_type(type_name);
   if (!type)
-    throw DataError(
-        fmt::format("{}: its ElementType '{}' cannot be read; export it as MET_FLOAT", path.string(), type_name));
+    throw DataError(fmt::format("{}: its ElementType '{}' cannot be read; export it as a scalar type such as MET_FLOAT",
+                                path.string(), type_name));
   const bool big = header.flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false);
   const bool compressed = header.flag({"CompressedData"}, false);
   const std::size_t nodes = volume.lattice.nodes();
+  volume.samples = Samples(*type);
 
   const auto read = [&](ByteReader& data) {
     if (!header.flag({"BinaryData"}, true)) return read_text_samples(data, nodes, volume.samples);
-    read_samples(data, nodes, *type, big ? ByteOrder::big : ByteOrder::little, volume.samples);
+    read_samples(data, nodes, big ? ByteOrder::big : ByteOrder::little, volume.samples);
   };
   const std::string file = header.text({"ElementDataFile"}, "");
   const Encoding encoding = compressed ? Encoding::deflated : Encoding::plain;

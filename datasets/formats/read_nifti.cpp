@@ -193,6 +193,28 @@ void skip_to_samples(ByteReader& reader, const NiftiHeader& header) {
   reader.skip(offset - done);
 }
 
+/// slope · sample + intercept, computed in double. Integers keep their type where this changes nothing, so that labels
+/// stay what they are.
+Samples scaled(Samples samples, const NiftiHeader& header) {
+  // The format states that a slope of 0 means no scaling.
+  if (!std::isfinite(header.slope) || header.slope == 0.0) return samples;
+  return samples.visit([&](auto& values) -> Samples {
+    using T = SampleOf<decltype(values)>;
+    if (std::is_integral_v<T> && header.slope == 1.0 && header.intercept == 0.0) return std::move(values);
+    using Real = RealOf<T>;
+    if constexpr (std::is_same_v<T, Real>) {
+      for (Real& value : values) value = static_cast<Real>(header.slope * value + header.intercept);
+      return std::move(values);
+    } else {
+      std::vector<Real> reals;
+      reals.reserve(values.size());
+      for (const T value : values)
+        reals.push_back(static_cast<Real>(header.slope * static_cast<double>(value) + header.intercept));
+      return reals;
+    }
+  });
+}
+
 bool is_gzip(const std::filesystem::path& path) {
   char magic[2] = {};
   std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
@@ -206,14 +228,10 @@ Volume read_nifti(const std::filesystem::path& path) {
   const NiftiHeader header = read_nifti_header(reader);
   Volume volume;
   volume.lattice = lattice_of(header, path);
-  const SampleType type = type_of(header, path);
+  volume.samples = Samples(type_of(header, path));
   skip_to_samples(reader, header);
-  read_samples(reader, volume.lattice.nodes(), type, header.order, volume.samples);
-  // A slope of 0 means that none is given.
-  if (std::isfinite(header.slope) && header.slope != 0.0) {
-    for (float& sample : volume.samples) sample = static_cast<float>(header.slope * sample + header.intercept);
-  }
-  return volume;
+  read_samples(reader, volume.lattice.nodes(), header.order, volume.samples);
+  return {std::move(volume.lattice), scaled(std::move(volume.samples), header)};
 }
 
 }  // namespace isobench

@@ -155,8 +155,9 @@ void read_data(const NrrdHeader& header, const std::filesystem::path& data, std:
   ByteReader reader(data, zipped ? Encoding::deflated : Encoding::plain, begin);
   skip_lines(reader, header.number("lineskip", 0.0));
   if (skip > 0.0) reader.skip(static_cast<std::uintmax_t>(std::min(std::ceil(skip), 1e15)));
+  volume.samples = Samples(*type);
   if (text) return read_text_samples(reader, nodes, volume.samples);
-  read_samples(reader, nodes, *type, order, volume.samples);
+  read_samples(reader, nodes, order, volume.samples);
 }
 
 }  // namespace

@@ -31,13 +31,14 @@ Volume read_raw(const std::vector<std::filesystem::path>& files, const RawLayout
                       file.string(), bytes, each * bytes_of(layout.type)));
     }
   }
-  volume.samples.reserve(nodes);
+  volume.samples = Samples(layout.type);
+  volume.samples.visit([&](auto& samples) { samples.reserve(nodes); });
   for (const std::filesystem::path& file : files) {
     ByteReader reader(file, Encoding::plain);
-    read_samples(reader, each, layout.type, layout.order, volume.samples);
+    read_samples(reader, each, layout.order, volume.samples);
   }
   try {
-    sample_range(volume);
+    check_finite(volume);
   } catch (const DataError& not_finite) {
     throw DataError(fmt::format("{}: {}", files.front().string(), not_finite.what()));
   }

@@ -54,7 +54,7 @@ Volume read_volume(const std::filesystem::path& path) {
     throw DataError(path.string() + ": its volume does not fit into memory; crop or subsample it first");
   }
   try {
-    sample_range(volume);
+    check_finite(volume);
   } catch (const DataError& not_finite) {
     throw DataError(fmt::format("{}: {}", path.string(), not_finite.what()));
   }

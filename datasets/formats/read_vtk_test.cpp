@@ -80,7 +80,7 @@ TEST(ReadVti, EverySampleTypeAndSeveralPieces) {
     if (type == VTK_SIGNED_CHAR) {
       for (float& sample : expected) sample = std::min(sample, 127.0F);
     }
-    EXPECT_EQ(read_volume(path).samples, expected);
+    EXPECT_EQ(floats_of(read_volume(path)), expected);
   }
 }
 
@@ -101,7 +101,7 @@ TEST(ReadVti, PiecesThatDoNotFitAreRefused) {
 
 /// Where VTK turns the order of slices round, so that its axes become right-handed, nodes have other numbers but the
 /// same places. 1e-3 voxels: version 1 keeps them in single precision.
-void expect_same_in_space(vtkNIFTIImageReader& reader, const Volume& volume) {
+void expect_same_in_space(vtkNIFTIImageReader& reader, const FloatVolume& volume) {
   ASSERT_EQ(volume.lattice.size, (std::array<int, 3>{nx, ny, nz}));
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
@@ -145,7 +145,7 @@ TEST(ReadNifti, AllThatVtkWrites) {
         vtkNew<vtkNIFTIImageReader> reader;
         reader->SetFileName(path.c_str());
         reader->Update();
-        expect_same_in_space(*reader, read_volume(path));
+        expect_same_in_space(*reader, as_float(read_volume(path)));
       }
     }
   }
@@ -156,7 +156,7 @@ TEST(ReadNifti, WholeNumbersOf64BitsAndDamagedHeaders) {
   NiftiHeader header;
   header.put<std::int16_t>(70, 1024);
   header.put<std::int16_t>(72, 64);
-  EXPECT_EQ(read_volume(folder.write("i64.nii", header.bytes() + bytes_of_samples<std::int64_t>(samples()))).samples,
+  EXPECT_EQ(floats_of(read_volume(folder.write("i64.nii", header.bytes() + bytes_of_samples<std::int64_t>(samples())))),
             samples());
   const auto refused = [&](std::size_t at, auto value, const std::string& part) {
     NiftiHeader damaged;

@@ -18,7 +18,7 @@ void check_volume(const Volume& volume, std::size_t file_bytes) {
   require(volume.samples.size() <= 1032 * file_bytes, "a file has no more samples than bytes, but for compression");
   require((lattice.spacing.array() > 0.0).all() && lattice.spacing.allFinite(), "spacings are positive");
   require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
-  sample_range(volume);  // throws where a sample is not finite
+  check_finite(volume);  // throws if a sample is not
 }
 
 bool read(const std::string& name, std::string_view bytes) {
@@ -70,7 +70,7 @@ bool fuzz_raw(std::string_view bytes) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     layout.size[axis] = at(2 * axis) | static_cast<int>(static_cast<unsigned>(at(2 * axis + 1)) << 24U);
   }
-  layout.type = static_cast<SampleType>(at(6) % 8);
+  layout.type = static_cast<SampleType>(at(6) % 10);
   layout.order = at(7) % 2 == 0 ? ByteOrder::little : ByteOrder::big;
   const int count = at(8) % 4;
   const std::string_view data = bytes.substr(header);

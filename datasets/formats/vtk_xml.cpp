@@ -87,24 +87,6 @@ std::optional<SampleType> type_of(const VtkElement& array) {
   return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-template <class Number>
-std::optional<std::vector<Number>> numbers_of_text(std::string_view text, std::size_t count) {
-  if (text.size() / 2 + 1 < count) return {};  // a digit and a blank each
-  std::vector<Number> numbers;
-  numbers.reserve(count);
-  for (std::size_t at = text.find_first_not_of(blanks); at != text.npos; at = text.find_first_not_of(blanks, at)) {
-    const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
-    double value = 0.0;
-    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + end, value);
-    // What is too large or too small for a double is not a damaged file yet; too large is refused as not finite.
-    const bool number = (error == std::errc() || error == std::errc::result_out_of_range) && rest == text.data() + end;
-    if (!number || numbers.size() == count) return {};
-    numbers.push_back(static_cast<Number>(value));
-    at = end;
-  }
-  return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
-}
-
 }  // namespace
 
 std::string VtkElement::attribute(const std::string& key, const std::string& otherwise) const {
@@ -176,7 +158,7 @@ std::string VtkXmlFile::bytes_of_array(const VtkElement& array, std::size_t byte
     blocks.base64 = true;
   }
   blocks.wide_header = root_.attribute("header_type", "UInt32") == "UInt64";
-  blocks.order = root_.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little;
+  blocks.order = order();
   const std::string compressor = root_.attribute("compressor");
   if (compressor == "vtkZLibDataCompressor")
     blocks.compressor = VtkCompressor::zlib;
@@ -196,26 +178,41 @@ std::string VtkXmlFile::bytes_of_array(const VtkElement& array, std::size_t byte
   return std::move(*data);
 }
 
-template <class Number>
-std::vector<Number> VtkXmlFile::numbers(const VtkElement& array, std::size_t count) const {
+SampleType VtkXmlFile::type_of_array(const VtkElement& array) const {
   const std::optional<SampleType> type = type_of(array);
-  if (!type) fail(fmt::format("its array '{}' is not of numbers", array.attribute("Name")));
-  if (count == 0) return {};
-  if (array.attribute("format", "ascii") == "ascii") {
-    std::optional<std::vector<Number>> numbers = numbers_of_text<Number>(array.text, count);
-    if (!numbers) {
-      fail(fmt::format("truncated or damaged: its array '{}' is not of {} numbers; copy or export it again",
-                       array.attribute("Name"), count));
-    }
-    return std::move(*numbers);
+  if (!type) fail(fmt::format("its array '{}' does not hold numbers; export it again", array.attribute("Name")));
+  return *type;
+}
+
+ByteOrder VtkXmlFile::order() const {
+  return root_.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little;
+}
+
+Samples VtkXmlFile::text_samples(const VtkElement& array, std::size_t count, SampleType type) const {
+  std::optional<Samples> samples = samples_of_text(array.text, count, type);
+  if (!samples) {
+    fail(
+        fmt::format("truncated or damaged: its array '{}' does not hold {} numbers of type {}; copy or export it again",
+                    array.attribute("Name"), count, to_string(type)));
   }
-  const std::string bytes = bytes_of_array(array, count * bytes_of(*type));
-  std::vector<Number> numbers(count);
-  const bool big = root_.attribute("byte_order") == "BigEndian";
-  convert_samples(bytes.data(), count, *type, big ? ByteOrder::big : ByteOrder::little, numbers.data());
+  return std::move(*samples);
+}
+
+Samples VtkXmlFile::samples(const VtkElement& array, std::size_t count) const {
+  const SampleType type = type_of_array(array);
+  if (count == 0) return Samples(type);
+  if (array.attribute("format", "ascii") == "ascii") return text_samples(array, count, type);
+  return samples_of_bytes(bytes_of_array(array, count * bytes_of(type)).data(), count, type, order());
+}
+
+std::vector<double> VtkXmlFile::numbers(const VtkElement& array, std::size_t count) const {
+  const SampleType type = type_of_array(array);
+  if (count == 0) return {};
+  if (array.attribute("format", "ascii") == "ascii") return text_samples(array, count, SampleType::f64).as<double>();
+  const std::string bytes = bytes_of_array(array, count * bytes_of(type));
+  std::vector<double> numbers(count);
+  convert_samples(bytes.data(), count, type, order(), numbers.data());
   return numbers;
 }
-template std::vector<float> VtkXmlFile::numbers(const VtkElement&, std::size_t) const;
-template std::vector<double> VtkXmlFile::numbers(const VtkElement&, std::size_t) const;
 
 }  // namespace isobench

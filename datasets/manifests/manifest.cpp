@@ -65,12 +65,8 @@ ManifestPackage parse_package(const TomlValue& value, const std::optional<TomlVa
   return package;
 }
 
-std::string parse_sha256(const TomlValue& value) {
-  std::string sum = value.as_string();
-  const bool digits = sum.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (sum.size() != 64 || !digits)
-    throw UsageError(value.place(), "a SHA-256 of 64 lower-case hexadecimal digits is expected");
-  return sum;
+bool is_sha256(const std::string& sum) {
+  return sum.size() == 64 && sum.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 ManifestFile parse_file(const TomlValue& table, const std::string& address,
@@ -80,7 +76,11 @@ ManifestFile parse_file(const TomlValue& table, const std::string& address,
   file.name = parse_relative(table.require("name")).string();
   if (!address.empty()) file.address = address + file.name;
   if (package) file.member = parse_relative(table.require("member")).string();
-  if (const auto sum = table.find("sha256")) file.sha256 = parse_sha256(*sum);
+  if (const auto sum = table.find("sha256")) {
+    file.sha256 = sum->as_string();
+    if (!is_sha256(file.sha256))
+      throw UsageError(sum->place(), "a SHA-256 of 64 lower-case hexadecimal digits is expected");
+  }
   if (file.sha256.empty() && (!file.address.empty() || package)) {
     throw UsageError(table.place(), fmt::format("'{}' is fetched, so it needs its sha256", file.name));
   }
@@ -96,7 +96,7 @@ RawLayout parse_raw(const TomlValue& table) {
   for (std::size_t axis = 0; axis < 3; ++axis) raw.size[axis] = parse_count(counts[axis], 1);
   raw.spacing = parse_triple(table.require("spacing"));
   const TomlValue type = table.require("type");
-  const std::vector<std::string> types = {"u8", "i8", "u16", "i16", "u32", "i32", "f32", "f64"};
+  const std::vector<std::string> types = {"u8", "i8", "u16", "i16", "u32", "i32", "i64", "u64", "f32", "f64"};
   if (std::find(types.begin(), types.end(), type.as_string()) == types.end()) {
     throw UsageError(type.place(),
                      fmt::format("unknown sample type '{}'{}", type.as_string(), suggestion(type.as_string(), types)));

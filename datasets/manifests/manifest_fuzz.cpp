@@ -7,8 +7,8 @@ namespace isobench {
 
 namespace {
 
-Volume small_volume() {
-  Volume volume;
+FloatVolume small_volume() {
+  FloatVolume volume;
   volume.lattice.size = {6, 5, 4};
   volume.lattice.spacing = {0.5, 1.0, 1.5};
   for (std::size_t n = 0; n < volume.lattice.nodes(); ++n) {

@@ -37,7 +37,7 @@ PrepareStep parse_gaussian(const TomlValue& table) {
 
 PrepareStep parse_labels(const TomlValue& table) {
   SelectLabels step;
-  for (const TomlValue& label : table.require("labels").as_list()) step.labels.push_back(parse_count(label, -32768));
+  for (const TomlValue& label : table.require("labels").as_list()) step.labels.push_back(label.as_integer());
   if (step.labels.empty()) throw UsageError(table.place(), "labels: at least one label is expected");
   return step;
 }

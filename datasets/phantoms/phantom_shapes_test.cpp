@@ -55,7 +55,7 @@ TEST(PhantomGap, TheSplineKeepsItOpenAboveThirteenTwelfthsOfAVoxel) {
   double highest = -1.0;
   for (int tenth = 0; tenth <= 10; ++tenth) {
     const double middle = 6.0 + 0.1 * tenth;
-    Volume v;
+    FloatVolume v;
     v.lattice.size = {4, 4, 14};
     for (int k = 0; k < 14; ++k) {
       v.samples.insert(v.samples.end(), 16, static_cast<float>(std::abs(k - middle) - 0.5 * gap));

@@ -243,7 +243,7 @@ Phantom phantom(const std::string& name, const std::map<std::string, double>& pa
   return usual;
 }
 
-Volume sample_phantom(const Phantom& phantom, int nodes, int margin) {
+FloatVolume sample_phantom(const Phantom& phantom, int nodes, int margin) {
   const int cells = nodes - 2 - 2 * margin;
   if (margin < 0 || cells < 4) {
     throw UsageError(fmt::format(
@@ -252,7 +252,7 @@ Volume sample_phantom(const Phantom& phantom, int nodes, int margin) {
   }
   const Vector3d off_centre(0.29, 0.41, 0.13);  // voxels
   const double spacing = 2.0 * phantom.half_extent.maxCoeff() / cells;
-  Volume volume;
+  FloatVolume volume;
   Lattice& lattice = volume.lattice;
   lattice.spacing = Vector3d::Constant(spacing);
   for (int axis = 0; axis < 3; ++axis) {

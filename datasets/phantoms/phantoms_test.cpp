@@ -156,7 +156,7 @@ TEST_P(ClosedForm, AreaAndVolumeAgreeWithSampling) {
   const Phantom& p = GetParam();
   // Within the reach of the medial axis, where Steiner's formula holds.
   const double width = std::min(1.5, 0.6 * p.smallest_feature.value_or(4.0));
-  const Volume v = sample_phantom(p, 160, 12);
+  const FloatVolume v = sample_phantom(p, 160, 12);
   const double cell = v.lattice.spacing.prod();
   const double voxel = v.lattice.spacing[0];
   const auto step = [&](double f) { return std::clamp(0.5 + f / voxel, 0.0, 1.0); };
@@ -180,7 +180,7 @@ struct Topology {
   long components = 0;
 };
 
-Topology kuhn_topology(const Volume& v) {
+Topology kuhn_topology(const FloatVolume& v) {
   const auto& size = v.lattice.size;
   std::vector<std::uint32_t> parent(v.samples.size());
   std::iota(parent.begin(), parent.end(), 0U);
@@ -233,7 +233,7 @@ TEST_P(EveryPhantom, TopologyAgreesWithAnIndependentCount) {
 
 TEST_P(EveryPhantom, IsSampledInItsOwnCoordinatesWithItsMargin) {
   const Phantom& p = GetParam();
-  const Volume v = sample_phantom(p, 40, 4);
+  const FloatVolume v = sample_phantom(p, 40, 4);
   const Lattice& l = v.lattice;
   EXPECT_EQ(*std::max_element(l.size.begin(), l.size.end()), 40);
   EXPECT_EQ(v.samples.size(), l.nodes());
