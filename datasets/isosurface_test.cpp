@@ -44,7 +44,7 @@ FloatVolume noise(const std::array<int, 3>& size = {9, 8, 7}) {
   return sampled(size, anisotropic, [&](const Vector3d&) { return unit(random); });
 }
 
-/// Points of the lattice's box, `margin` nodes inside it.
+/// Random points in the lattice's box, at least `margin` nodes from its border.
 std::vector<Vector3d> points_in(const Lattice& lattice, int margin, int count = 200) {
   std::mt19937_64 random(11);
   std::vector<Vector3d> points;
@@ -76,7 +76,7 @@ TEST(IsosurfaceTest, BsplineReproducesQuadraticsUpToAConstant) {
   const double constant = (anisotropic.cwiseAbs2().array() * q.a.diagonal().array()).sum() / 6.0 - 0.75;
   for (const Vector3d& x : points_in(surface.lattice(), 1)) {
     const Jet jet = surface.jet(x);
-    // The samples are floats of up to about 100, so right to 1e-5.
+    // The samples are floats of up to about 100, whose rounding error is below 1e-5.
     EXPECT_NEAR(jet.value, q(x) + constant, 3e-5);
     EXPECT_LT((jet.gradient - q.gradient(x)).norm(), 1e-4);
     EXPECT_LT((jet.hessian - q.a).norm(), 5e-4);
@@ -100,7 +100,7 @@ TEST(IsosurfaceTest, DerivativesAreThoseOfTheValue) {
   const Isosurface surface(noise(), 0.1);
   const double h = 1e-5;
   for (const Vector3d& x : points_in(surface.lattice(), 0)) {
-    // Beyond the box coordinates are clamped, so differences must stay inside.
+    // Coordinates outside the box are clamped, so differences must stay inside it.
     if ((x.array() < h).any() || ((surface.extent() - x).array() < h).any()) continue;
     const Jet jet = surface.jet(x);
     for (int axis = 0; axis < 3; ++axis) {
@@ -109,7 +109,7 @@ TEST(IsosurfaceTest, DerivativesAreThoseOfTheValue) {
       EXPECT_NEAR(jet.gradient[axis], slope, 1e-6);
       const Vector3d bend =
           (surface.value_gradient(x + step).gradient - surface.value_gradient(x - step).gradient) / (2.0 * h);
-      // The third derivative jumps at cell borders: there a difference is only right to h.
+      // The third derivative jumps at the cells' borders, where a difference has an error of order h.
       EXPECT_LT((jet.hessian.col(axis) - bend).norm(), 1e-3);
     }
   }
@@ -220,7 +220,7 @@ TEST(IsosurfaceTest, ProjectionEndsOnTheSurfaceAtTheFoot) {
       EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), tolerance * surface.voxel());
     }
     const Vector3d foot = lattice.to_world(*surface.project(start, 1e-9));
-    // What is left after the leading order of the shift is of fourth order, (voxel/r)³/100 of a voxel here.
+    // The shift is known to leading order. The rest is of fourth order, here (voxel/r)³/100 of a voxel.
     EXPECT_NEAR(foot.norm(), moved, 1e-3 * surface.voxel());
     EXPECT_LT((foot.normalized() - direction).norm(), 2e-3);
   }
@@ -280,7 +280,7 @@ TEST(CurvatureTest, AnisotropicSpacingBendsNothing) {
   }
 }
 
-/// The message of what a construction throws.
+/// The message of the error that the constructor throws; "" if it throws none.
 std::string refusal(FloatVolume volume, double isovalue) {
   try {
     const Isosurface surface(std::move(volume), isovalue);
@@ -340,7 +340,7 @@ TEST(IsosurfaceErrorTest, FewerThanFourNodesAreTooFew) {
   EXPECT_TRUE(contains(message, "9×3×7") && contains(message, "4")) << message;
 }
 
-// Along the lattice's border too, where the spline repeats the outermost coefficients. Coefficients are floats.
+// Also along the lattice's border, where the spline repeats the outermost coefficients. 3e-6: coefficients are floats.
 TEST(IsosurfaceTest, InterpolatingBsplinePassesThroughTheSamples) {
   FloatVolume volume;
   volume.lattice.size = {9, 7, 6};

@@ -1,5 +1,5 @@
-// NIfTI-1 and NIfTI-2 in one file. The fields stand at fixed places of a binary header, which is checked here in full:
-// VTK 9.1's reader believes it, and keeps the orientation beside its image.
+// NIfTI-1 and NIfTI-2, header and samples in one file. The header is binary, with fields at fixed places. It is checked
+// here in full: the reader of VTK 9.1 does not check it, and leaves the orientation out of its image.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -20,14 +20,14 @@ namespace {
 constexpr std::size_t size_1 = 348;  // of a header of version 1
 constexpr std::size_t size_2 = 540;
 
-/// What both versions say, in one form.
+/// The fields of both versions in one form.
 struct NiftiHeader {
   int version = 1;
   ByteOrder order = ByteOrder::little;
-  std::array<long long, 8> dim{};  // [0] is their number
+  std::array<long long, 8> dim{};  // [0] is the number of dimensions
   int datatype = 0;
   int bits = 0;
-  std::array<double, 8> pixdim{};  // [0] is the handedness of the qform
+  std::array<double, 8> pixdim{};  // [0] is the qform's handedness
   double offset = 0.0;
   double slope = 0.0;
   double intercept = 0.0;
@@ -47,7 +47,7 @@ Value value_at(const std::string& bytes, std::size_t at, ByteOrder order) {
   return std::bit_cast<Value>(raw);
 }
 
-/// Fields one after another; the versions differ in the types and in the order of the groups.
+/// Consecutive fields of one type. The versions differ in the types and in the order of the groups.
 template <class Value, class Target>
 void fields_at(const std::string& bytes, std::size_t at, ByteOrder order, Target* target, std::size_t count) {
   for (std::size_t n = 0; n < count; ++n)
@@ -107,7 +107,7 @@ NiftiHeader read_nifti_header(ByteReader& reader) {
       const auto size = static_cast<std::size_t>(value_at<std::uint32_t>(bytes, 0, order));
       if (size == size_1 && bytes.compare(344, 4, std::string("n+1\0", 4)) == 0) return version_1(bytes, order);
       if (size == size_1 && bytes.compare(344, 4, std::string("ni1\0", 4)) == 0) {
-        throw DataError(path + ": its samples are in another file; convert the two to one .nii file");
+        throw DataError(path + ": its samples are in another file; convert header and samples to one .nii file");
       }
       if (size == size_2 && bytes.compare(4, 4, std::string("n+2\0", 4)) == 0) {
         if (reader.read(bytes.data() + size_1, size_2 - size_1) == size_2 - size_1) return version_2(bytes, order);
@@ -165,7 +165,7 @@ Eigen::Matrix3d steps_of(const NiftiHeader& header) {
   voxel = voxel.cwiseAbs();
   if (header.sform > 0) return header.srow.leftCols<3>();
   if (header.qform <= 0) return voxel.asDiagonal();
-  // The quaternion is a unit one of real part ≥ 0, which is not stored; rounding may make the rest longer than 1.
+  // A unit quaternion with real part ≥ 0; the real part is not stored. Rounding may make the rest longer than 1.
   const double rest = 1.0 - header.quaternion.squaredNorm();
   Eigen::Quaterniond q(std::sqrt(std::max(rest, 0.0)), header.quaternion[0], header.quaternion[1],
                        header.quaternion[2]);
@@ -181,7 +181,7 @@ Lattice lattice_of(const NiftiHeader& header, const std::filesystem::path& path)
   return make_lattice(path, size_of(header, path), steps.colwise().norm(), steps, origin, placed ? "RAS" : "");
 }
 
-/// On to the samples: behind the header there may be extensions.
+/// Skips what is left of the header and the extensions that may follow it.
 void skip_to_samples(ByteReader& reader, const NiftiHeader& header) {
   constexpr double limit = 1 << 26;
   if (!(header.offset < limit)) {

@@ -1,4 +1,4 @@
-// Every format keeps samples and nodes in their places; samples as VTK's readers give them.
+// Every reader puts samples and nodes in their places, and gives the same samples as VTK's readers.
 #include "isobench/datasets/formats/read_volume.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace isobench {
 namespace {
 
-/// In the order of the file, whether or not VTK takes the first axis for components.
+/// Compares samples in the order of the file, also if VTK reads the first axis as the components of vectors.
 void expect_samples_of(vtkDataArray* array, const Volume& volume) {
   ASSERT_EQ(array->GetNumberOfValues(), static_cast<vtkIdType>(volume.samples.size()));
   const std::vector<float> samples = floats_of(volume);

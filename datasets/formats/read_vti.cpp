@@ -24,7 +24,7 @@ Extent extent_of(const std::string& text, const std::filesystem::path& path) {
   for (std::size_t n = 0; n < 6; ++n) {
     if (!(std::abs(numbers[n]) <= std::numeric_limits<int>::max()) || numbers[n] != std::floor(numbers[n])) {
       throw DataError(
-          fmt::format("{}: its extent '{}' is not one of nodes; the header is damaged", path.string(), text));
+          fmt::format("{}: its extent '{}' is not six numbers of nodes; copy or export it again", path.string(), text));
     }
     extent[n] = static_cast<long long>(numbers[n]);
   }
@@ -48,7 +48,7 @@ Lattice lattice_of(const VtkElement& image, const Extent& extent, const std::fil
   return make_lattice(path, size_of(extent), steps, direction, Eigen::Vector3d(origin.data()) + direction * first, "");
 }
 
-/// The array that is marked as the scalars, or the first.
+/// The array that the file names as its scalars; without such a name, the first array.
 const VtkElement& scalars_of(const VtkElement& piece, const VtkXmlFile& file) {
   const VtkElement* data = piece.child("PointData");
   const VtkElement* found = nullptr;
@@ -63,7 +63,7 @@ const VtkElement& scalars_of(const VtkElement& piece, const VtkXmlFile& file) {
     }
   }
   if (found == nullptr) file.fail("it has no samples at its nodes; give a volume with point data");
-  if (found->attribute("NumberOfComponents", "1") != "1") file.fail("it has vectors for samples; give a scalar volume");
+  if (found->attribute("NumberOfComponents", "1") != "1") file.fail("its samples are vectors; give a scalar volume");
   return *found;
 }
 
@@ -104,7 +104,7 @@ Samples assemble(std::vector<Piece>& pieces, const Extent& whole, const Lattice&
 void check_extent(const Extent& extent, const Extent& whole, const VtkXmlFile& file) {
   for (std::size_t n = 0; n < 6; n += 2) {
     if (extent[n] < whole[n] || extent[n + 1] > whole[n + 1] || extent[n] > extent[n + 1]) {
-      file.fail("a piece of it lies outside its whole extent; the header is damaged");
+      file.fail("a piece of it lies outside its whole extent; copy or export it again");
     }
   }
 }

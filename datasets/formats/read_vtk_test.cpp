@@ -1,4 +1,4 @@
-// VTI and NIfTI files as VTK's own writers make them, in every way that they know.
+// VTI and NIfTI files written by VTK, in every encoding that its writers have.
 #include <gtest/gtest.h>
 #include <vtkFloatArray.h>
 #include <vtkImageCast.h>
@@ -96,11 +96,11 @@ TEST(ReadVti, PiecesThatDoNotFitAreRefused) {
   expect_data_error(with("WholeExtent=\"2 8", "WholeExtent=\"2 9"), "pieces of it are missing");
   expect_data_error(with("WholeExtent=\"2 8", "WholeExtent=\"8 2"), "not that of a 3-D volume");
   expect_data_error(with("Name=\"v\"", "Name=\"v\" NumberOfComponents=\"3\""), "vectors");
-  expect_data_error(with("<PointData", "<!DOCTYPE a><PointData"), "no whole XML");
+  expect_data_error(with("<PointData", "<!DOCTYPE a><PointData"), "not well-formed XML");
 }
 
-/// Where VTK turns the order of slices round, so that its axes become right-handed, nodes have other numbers but the
-/// same places. 1e-3 voxels: version 1 keeps them in single precision.
+/// VTK may reverse the order of slices to make its axes right-handed. Nodes then have other numbers, but the same
+/// places. 1e-3 voxels: version 1 keeps places in single precision.
 void expect_same_in_space(vtkNIFTIImageReader& reader, const FloatVolume& volume) {
   ASSERT_EQ(volume.lattice.size, (std::array<int, 3>{nx, ny, nz}));
   for (int k = 0; k < nz; ++k) {

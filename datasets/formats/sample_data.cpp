@@ -47,7 +47,7 @@ std::optional<T> number_of_word(std::string_view word) {
   if constexpr (std::is_integral_v<T>) {
     const std::optional<double> real = number_of_word<double>(word);
     const auto least = static_cast<double>(std::numeric_limits<T>::min());
-    const double beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);  // the largest T, and 1
+    const double beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);  // one more than the largest T
     if (real && *real == std::floor(*real) && *real >= least && *real < beyond) return static_cast<T>(*real);
   } else if (error == std::errc::result_out_of_range && rest == word.data() + word.size()) {
     return static_cast<T>(std::strtod(std::string(word).c_str(), nullptr));

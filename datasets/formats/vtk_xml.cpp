@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::size_t deepest = 32;  // real files have 6 levels
 
-/// Builds the elements as expat comes across them.
+/// Builds the elements in the order in which expat finds them.
 struct Builder {
   XML_Parser parser;
   VtkElement root;  // holds the document's element
@@ -31,7 +31,7 @@ struct Builder {
       XML_StopParser(self.parser, XML_FALSE);
       return;
     }
-    // While a child is open its parent gets no other: the pointers hold.
+    // A parent gets no further child while one is open, so the pointers in `open` stay valid.
     VtkElement& element = self.open.back()->children.emplace_back();
     element.name = name;
     for (const char** a = attributes; a[0] != nullptr; a += 2) element.attributes[a[0]] = a[1];
@@ -41,13 +41,13 @@ struct Builder {
   static void text(void* data, const char* characters, int length) {
     static_cast<Builder*>(data)->open.back()->text.append(characters, static_cast<std::size_t>(length));
   }
-  // No such file declares entities; who does means harm.
+  // VTK's files declare no document type. One that does may define entities that expand without end.
   static void doctype(void* data, const char*, const char*, const char*, int) {
     XML_StopParser(static_cast<Builder*>(data)->parser, XML_FALSE);
   }
 };
 
-/// std::nullopt where it is no XML.
+/// std::nullopt if it is not well-formed XML.
 std::optional<VtkElement> parse_xml(std::string_view xml, std::string_view tail) {
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr),
                                                                                              XML_ParserFree);
@@ -102,7 +102,7 @@ const VtkElement* VtkElement::child(const std::string& child_name) const {
 
 void VtkXmlFile::fail(const std::string& message) const { throw DataError(path_.string() + ": " + message); }
 
-/// Raw appended data are no XML: they are cut off before the rest is parsed.
+/// Takes raw appended data off the end of the text, because they are not XML.
 void VtkXmlFile::find_appended(std::string_view& xml) {
   const std::size_t tag = xml.find("<AppendedData");
   if (tag == xml.npos) return;
@@ -121,11 +121,11 @@ VtkXmlFile::VtkXmlFile(std::filesystem::path path, const std::string& type)
   }
   find_appended(xml);
   std::optional<VtkElement> root = parse_xml(xml, appended_.data() != nullptr ? "</AppendedData></VTKFile>" : "");
-  if (!root) fail("truncated or damaged: it is no whole XML; copy or export it again");
+  if (!root) fail("truncated or damaged: it is not well-formed XML; copy or export it again");
   root_ = std::move(*root);
   data_ = root_.child(type);
   if (root_.name != "VTKFile" || data_ == nullptr) {
-    fail(fmt::format("it holds '{}' where {} is expected; give a file of that kind", root_.attribute("type"), type));
+    fail(fmt::format("it holds '{}', but {} is expected; give a file of that kind", root_.attribute("type"), type));
   }
   const VtkElement* appended = root_.child("AppendedData");
   appended_base64_ = appended != nullptr && appended->attribute("encoding") == "base64";
@@ -136,7 +136,7 @@ std::size_t VtkXmlFile::count(const VtkElement& element, const std::string& attr
   std::size_t value = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || rest != text.data() + text.size() || value > std::size_t{1} << 40U) {
-    fail(fmt::format("its {} '{}' is not a possible number; copy or export it again", attribute, text));
+    fail(fmt::format("its {} '{}' is not a whole number from 0 to 2^40; copy or export it again", attribute, text));
   }
   return value;
 }

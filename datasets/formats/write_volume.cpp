@@ -12,7 +12,7 @@ namespace isobench {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "samples are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "samples are written in memory order");
 
 std::string vector(const Eigen::Vector3d& v) { return fmt::format("({},{},{})", v.x(), v.y(), v.z()); }
 
@@ -101,7 +101,7 @@ void write_volume(const Volume& volume, const std::filesystem::path& path) {
   });
   if (ending == ".vti") file << "\n</AppendedData>\n</VTKFile>\n";
   file.close();
-  if (!file) throw Error(path.string() + ": cannot be written; is its folder there, writable and not full?");
+  if (!file) throw Error(path.string() + ": cannot be written; check that its folder exists, is writable and has room");
 }
 
 }  // namespace isobench

@@ -12,7 +12,8 @@
 namespace isobench {
 namespace {
 
-/// A ball of radius 4 voxels in 16³, value falling by 1 a voxel, 10 at the radius; NRRD with a spacing of 2 mm.
+/// An NRRD file of a ball of radius 4 voxels in 16³ nodes 2 mm apart. Values fall by 1 per voxel and are 10 at the
+/// radius.
 std::string ball_nrrd(double centre = 7.5) {
   std::vector<float> samples;
   for (int k = 0; k < 16; ++k) {
@@ -77,7 +78,7 @@ TEST_F(CatalogueOfOne, FetchesOnceThenTakesTheCache) {
   EXPECT_EQ(cached.checksum, dataset_checksum("ball"));
   Monitor monitor;
   EXPECT_EQ(fetch_dataset("ball", monitor), std::vector{folder.path() / "cache/ball/ball.nrrd"});
-  // Nothing half-fetched is left beside it.
+  // No incomplete file is left beside it.
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "cache/ball"), {}), 1);
 }
 
@@ -109,7 +110,7 @@ TEST_F(CatalogueOfOne, AWrongChecksumNamesFileSumsAndRemedy) {
 }
 
 TEST_F(CatalogueOfOne, WithoutNetworkOneSentenceSaysIsobenchData) {
-  write_manifest("http://127.0.0.1:1/", sum);  // nobody listens there
+  write_manifest("http://127.0.0.1:1/", sum);  // no server listens there
   const std::string message = message_of_load();
   EXPECT_NE(message.find("set ISOBENCH_DATA to a folder that has ball/ball.nrrd"), std::string::npos) << message;
   EXPECT_THROW(load(), DataError);
@@ -126,7 +127,7 @@ TEST_F(CatalogueOfOne, AnUnknownNameHasItsPlaceAndTheNearest) {
   EXPECT_NE(message.find("did you mean 'ball'?"), std::string::npos) << message;
 }
 
-/// A program of this name, first in the PATH, that runs these shell commands.
+/// Writes a program of this name that runs these shell commands, to a folder that the test puts first in PATH.
 void write_program(const TestFolder& folder, const std::string& name, const std::string& commands) {
   const auto path = folder.write("bin/" + name, "#!/bin/sh\n" + commands + "\n");
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
@@ -142,7 +143,7 @@ TEST_F(CatalogueOfOne, TakesFilesOutOfADebianPackage) {
                    root + " && dpkg-deb --build package balls_1_all.deb > /dev/null")
                       .c_str()),
       0);
-  // Stands in for the package archive.
+  // Takes the place of the package archive.
   write_program(folder, "apt-get", "test \"$1 $2\" = 'download balls' && cp " + root + "/balls_1_all.deb .");
   const TestVariable path("PATH", root + "/bin:" + std::getenv("PATH"));
   const auto write = [&](const std::string& member, const std::string& sha256) {
@@ -178,7 +179,7 @@ TEST_F(CatalogueOfOne, AUsersOwnManifestHasItsDataBesideIt) {
   EXPECT_EQ(dataset.checksum, dataset_checksum(name));
   EXPECT_GT(dataset.surface->value({15.0, 15.0, 15.0}), 0.0);  // the middle is inside
   folder.write("own/scans/b.nrrd", ball_nrrd(7.0));
-  EXPECT_NE(dataset_checksum(name), dataset.checksum);  // no sum is stated, so the content's counts
+  EXPECT_NE(dataset_checksum(name), dataset.checksum);  // the manifest states no sha256, so the file's own is used
   std::filesystem::remove(folder.path() / "own/scans/b.nrrd");
   EXPECT_NE(message_of_load(name).find("b.nrrd: no such file"), std::string::npos) << message_of_load(name);
   EXPECT_NE(message_of_load("none.toml").find("config.toml:7:3"), std::string::npos);
@@ -200,7 +201,7 @@ TEST(Catalogue, EveryManifestIsValidAndPinned) {
     if (!info.source.starts_with("phantom")) {
       EXPECT_FALSE(info.licence.empty());
     }
-    // Needs no data: a catalogued file states its sum.
+    // This needs no data, because the catalogue states every file's checksum.
     EXPECT_EQ(dataset_checksum(info.name).size(), 64U);
   }
 }
@@ -340,7 +341,7 @@ TEST(DatasetFromFile, ClosesAnObjectThatLeavesTheVolumeAndSaysSo) {
   ASSERT_EQ(monitor.notes().size(), 1U);
   EXPECT_NE(monitor.notes()[0].find("closed at its border"), std::string::npos);
   EXPECT_FALSE(inside_at_border(*above.surface));
-  // The complement leaves it on all sides.
+  // The complement of the ball reaches the border on all sides.
   const Dataset below = dataset_from_file(path, 10.0, Inside::below, 0.0, Kernel::bspline, monitor);
   EXPECT_EQ(monitor.notes().size(), 2U);
   EXPECT_FALSE(inside_at_border(*below.surface));

@@ -12,7 +12,7 @@ namespace isobench {
 
 namespace {
 
-constexpr int border_layers = 2;  // as many as the cubic spline reaches beyond a node
+constexpr int border_layers = 2;  // the cubic spline reaches two nodes beyond a point
 
 template <class T>
 bool border_is_inside(const std::vector<T>& samples, const Lattice& lattice, double isovalue, Inside inside) {

@@ -1,4 +1,4 @@
-// Manifests, and their preparing steps on a small volume.
+// Fuzz target for manifests: parses one, and applies its preparation steps to a small volume.
 #include "isobench/datasets/manifests/manifest.h"
 #include "isobench/datasets/preparation/prepare.h"
 #include "isobench/foundation/testing/fuzz_target.h"
@@ -17,7 +17,7 @@ FloatVolume small_volume() {
   return volume;
 }
 
-/// Steps that make much of a small volume are refused or allowed elsewhere; here they would only take long.
+/// True for steps that would make the small volume large and the run slow.
 bool grows(const PrepareStep& step) {
   const auto* pad = std::get_if<Pad>(&step);
   const auto* resample = std::get_if<Resample>(&step);

@@ -16,7 +16,7 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
-// C++20 deduces this by itself; clang learnt to in its version 17.
+// C++20 needs no such guide, but clang before version 17 does.
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 

@@ -48,7 +48,7 @@ Eigen::Vector3d world(const Lattice& lattice, double i, double j, double k) {
   return lattice.to_world(lattice.spacing.cwiseProduct(Eigen::Vector3d(i, j, k)));
 }
 
-/// The distance to the nearest node of the other kind, by looking at all of them.
+/// The signed distance to the nearest node on the other side, found by looking at all nodes.
 double brute_force_distance(const FloatVolume& binary, int i, int j, int k) {
   const bool inside = binary.at(i, j, k) > 0.0F;
   double nearest = std::numeric_limits<double>::infinity();
@@ -126,7 +126,7 @@ TEST(PrepareGaussian, RepeatsTheBorder) {
 
 TEST(PrepareLargestComponent, JoinsAcrossCornersAndDropsTheRest) {
   FloatVolume volume = make_volume({9, 9, 9});
-  // A diagonal chain of 9 nodes that only touch at corners, and a block of 8 that touches nothing.
+  // A diagonal chain of 9 nodes that touch only at corners, and a separate block of 8 nodes.
   for (int n = 0; n < 9; ++n) volume.at(n, 8 - n, n) = 2.0F;
   for (int n = 0; n < 8; ++n) volume.at(n & 1, n >> 1 & 1, n >> 2) = 1.0F;
   const FloatVolume largest = apply(volume, LargestComponent{});
@@ -135,7 +135,7 @@ TEST(PrepareLargestComponent, JoinsAcrossCornersAndDropsTheRest) {
   EXPECT_THROW(apply(make_volume({3, 3, 3}), LargestComponent{}), DataError);
 }
 
-/// Sizes of the 26-connected components by plain flooding, and the nodes of the largest.
+/// The nodes of the largest 26-connected component, found by flooding.
 std::vector<bool> flooded_largest(const FloatVolume& volume) {
   const Lattice& lattice = volume.lattice;
   std::vector<int> label(lattice.nodes(), 0);
