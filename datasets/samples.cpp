@@ -72,10 +72,7 @@ std::vector<float> Samples::to_floats() && {
     if constexpr (std::is_same_v<T, float>) {
       return std::move(values);
     } else {
-      std::vector<float> floats;
-      floats.reserve(values.size());
-      for (const T value : values) floats.push_back(static_cast<float>(value));
-      return floats;
+      return std::vector<float>(values.begin(), values.end());
     }
   });
 }

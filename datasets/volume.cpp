@@ -31,7 +31,7 @@ void check_finite_samples(const Lattice& lattice, const std::vector<T>& samples)
   if constexpr (std::is_floating_point_v<T>) {
     for (std::size_t n = 0; n < samples.size(); ++n) {
       if (!std::isfinite(samples[n])) {
-        throw_at_node(lattice, n, samples[n], "every sample must be a finite number");
+        throw_at_node(lattice, n, samples[n], "every sample must be a finite number, so replace it");
       }
     }
   }
@@ -40,7 +40,7 @@ void check_finite_samples(const Lattice& lattice, const std::vector<T>& samples)
 /// The smallest and the largest sample.
 template <class T>
 std::pair<T, T> extremes(const Lattice& lattice, const std::vector<T>& samples) {
-  if (samples.empty()) throw DataError("the volume has no samples");
+  if (samples.empty()) throw DataError("the volume has no samples; give one that has");
   check_finite_samples(lattice, samples);
   std::pair<T, T> range{samples.front(), samples.front()};
   for (const T sample : samples) {

@@ -141,7 +141,7 @@ void ByteReader::finish() {
   if (state_->encoding == Encoding::plain) return;
   if (skip(chunk_bytes) == chunk_bytes) {
     throw DataError(path_.string() +
-                    ": its compressed data go on long after the samples that its header promises; export it again");
+                    ": its compressed data go on long after the samples that its header states; export it again");
   }
   if (!state_->ended) {
     throw DataError(path_.string() + ": truncated: its compressed data stop before their end; copy or export it again");

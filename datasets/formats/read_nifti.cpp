@@ -126,17 +126,18 @@ SampleType type_of(const NiftiHeader& header, const std::filesystem::path& path)
   for (const auto& [code, type] : types) {
     if (code != header.datatype) continue;
     if (static_cast<std::size_t>(header.bits) == 8 * bytes_of(type)) return type;
-    throw DataError(fmt::format("{}: its samples have {} bits, which is not its datatype {}; the header is damaged",
-                                path.string(), header.bits, code));
+    throw DataError(
+        fmt::format("{}: its samples have {} bits, which does not fit its datatype {}; copy or export it again",
+                    path.string(), header.bits, code));
   }
-  throw DataError(fmt::format("{}: samples of datatype {} cannot be read; convert it to a scalar volume of floats",
+  throw DataError(fmt::format("{}: samples of datatype {} cannot be read; convert it to a volume of integers or floats",
                               path.string(), header.datatype));
 }
 
 std::array<long long, 3> size_of(const NiftiHeader& header, const std::filesystem::path& path) {
   if (header.dim[0] < 1 || header.dim[0] > 7) {
-    throw DataError(
-        fmt::format("{}: it cannot have {} dimensions; the header is damaged", path.string(), header.dim[0]));
+    throw DataError(fmt::format("{}: its header states {} dimensions, not 1 to 7; copy or export it again",
+                                path.string(), header.dim[0]));
   }
   const auto dimensions = static_cast<std::size_t>(header.dim[0]);
   for (std::size_t axis = 4; axis <= dimensions; ++axis) {
@@ -185,8 +186,9 @@ Lattice lattice_of(const NiftiHeader& header, const std::filesystem::path& path)
 void skip_to_samples(ByteReader& reader, const NiftiHeader& header) {
   constexpr double limit = 1 << 26;
   if (!(header.offset < limit)) {
-    throw DataError(fmt::format("{}: its samples cannot begin at byte {}; the header is damaged",
-                                reader.path().string(), header.offset));
+    throw DataError(
+        fmt::format("{}: its samples cannot begin at byte {}, as its header states; copy or export it again",
+                    reader.path().string(), header.offset));
   }
   const std::size_t done = header.version == 1 ? size_1 : size_2;
   const std::size_t offset = std::max(static_cast<std::size_t>(std::max(header.offset, 0.0)), done + 4);

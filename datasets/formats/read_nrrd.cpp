@@ -140,7 +140,7 @@ void read_data(const NrrdHeader& header, const std::filesystem::path& data, std:
   const bool zipped = encoding == "gzip" || encoding == "gz";
   const bool text = encoding == "ascii" || encoding == "text" || encoding == "txt";
   if (!zipped && !text && encoding != "raw") {
-    throw DataError(fmt::format("{}: its encoding '{}' cannot be read; readable are raw, gzip and ascii",
+    throw DataError(fmt::format("{}: its encoding '{}' cannot be read; export it with raw, gzip or ascii",
                                 header.path.string(), encoding));
   }
   const ByteOrder native = std::endian::native == std::endian::big ? ByteOrder::big : ByteOrder::little;

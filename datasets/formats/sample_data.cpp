@@ -94,7 +94,7 @@ class Words {
 
 [[noreturn]] void throw_truncated(const std::filesystem::path& path, std::size_t found, std::size_t expected) {
   throw DataError(fmt::format(
-      "{}: truncated: its header promises {} samples but data for at most {} follow; copy or export it again",
+      "{}: truncated: its header states {} samples, but data for at most {} follow; copy or export it again",
       path.string(), expected, found));
 }
 

@@ -108,7 +108,8 @@ void VtkXmlFile::find_appended(std::string_view& xml) {
   if (tag == xml.npos) return;
   const std::size_t end = xml.find('>', tag);
   const std::size_t mark = end == xml.npos ? end : xml.find_first_not_of(blanks, end + 1);
-  if (mark == xml.npos || xml[mark] != '_') fail("truncated or damaged: its appended data do not begin with '_'");
+  if (mark == xml.npos || xml[mark] != '_')
+    fail("truncated or damaged: its appended data do not begin with '_'; copy or export it again");
   appended_ = xml.substr(mark + 1);
   xml = xml.substr(0, end + 1);
 }

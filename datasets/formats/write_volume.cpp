@@ -85,7 +85,8 @@ std::string vti_head(const Lattice& lattice, SampleType type) {
 void write_volume(const Volume& volume, const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
   if (ending != ".nrrd" && ending != ".vti") {
-    throw UsageError(path.string() + ": volumes are written to files that end in .nrrd or .vti");
+    throw UsageError(path.string() +
+                     ": its ending is not .nrrd or .vti; volumes are written to these formats, so change the ending");
   }
   std::ofstream file(path, std::ios::binary);
   const SampleType type = volume.samples.type();

@@ -82,7 +82,7 @@ std::string checksum_of(const Volume& volume, const std::string& arguments) {
 
 Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, Inside inside, double smooth_voxels,
                           Kernel kernel, Monitor& monitor) {
-  if (!std::isfinite(isovalue)) throw UsageError("the isovalue must be a finite number");
+  if (!std::isfinite(isovalue)) throw UsageError("the isovalue is not a finite number; give one that is");
   if (!(smooth_voxels >= 0.0 && smooth_voxels < 1000.0)) {
     throw UsageError(
         fmt::format("smoothing by {} voxels is not possible; give a number from 0 to 1000", smooth_voxels));

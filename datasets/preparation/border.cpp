@@ -127,12 +127,12 @@ void crop(Volume& volume, int margin) {
 }
 
 void pad(Volume& volume, int voxels, double value) {
-  if (voxels < 0) throw DataError("pad: the number of voxels must not be negative");
+  if (voxels < 0) throw DataError("pad: the number of voxels is negative; give one of at least 0");
   const Lattice& lattice = volume.lattice;
   Lattice padded = lattice;
   for (int& count : padded.size) {
     if (count > std::numeric_limits<int>::max() - 2 * static_cast<long long>(voxels))
-      throw DataError("pad: too many voxels");
+      throw DataError("pad: the volume would have more nodes along an axis than 2^31 - 1; add fewer voxels");
     count += 2 * voxels;
   }
   check_size(padded.size);
@@ -149,7 +149,7 @@ void pad(Volume& volume, int voxels, double value) {
 }
 
 void close_border(Volume& volume, const CloseBorder& step) {
-  if (volume.samples.empty()) throw DataError("close-border: the volume has no samples");
+  if (volume.samples.empty()) throw DataError("close-border: the volume has no samples; give one that has");
   if (!step.use_minimum) make_room_for(step.value, volume.samples);
   volume.samples.visit([&](auto& samples) {
     using T = SampleOf<decltype(samples)>;

@@ -21,10 +21,12 @@ struct Taps {
 };
 
 Taps taps_of(int count, double from, double to, int axis) {
-  if (!(to > 0.0)) throw DataError(fmt::format("resample: the spacing of axis {} must be > 0 mm", axis));
+  if (!(to > 0.0))
+    throw DataError(fmt::format("resample: the spacing of axis {} is not > 0 mm; give one that is", axis));
   const double length = from * (count - 1);
   if (!(length / to < 1e6))
-    throw DataError(fmt::format("resample: a spacing of {} mm makes axis {} too long; take a larger one", to, axis));
+    throw DataError(fmt::format(
+        "resample: a spacing of {} mm gives axis {} more than a million nodes; take a larger one", to, axis));
   const int fresh = count == 1 ? 1 : std::max(2, static_cast<int>(std::lround(length / to)) + 1);
   Taps taps;
   taps.spacing = fresh == 1 ? from : length / (fresh - 1);
@@ -87,7 +89,7 @@ FloatVolume resample(const FloatVolume& volume, const Eigen::Vector3d& spacing) 
 }
 
 FloatVolume subsample(const FloatVolume& volume, int factor) {
-  if (factor < 1) throw DataError("subsample: the factor must be at least 1");
+  if (factor < 1) throw DataError("subsample: the factor is below 1; give one of at least 1");
   std::array<int, 3> size{};
   for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = volume.lattice.size[axis] / factor;
   if (*std::min_element(size.begin(), size.end()) < 1) {

@@ -17,9 +17,9 @@ namespace {
 
 template <class T, class Selected>
 std::vector<std::uint8_t> selection(const std::vector<T>& samples, Selected selected) {
-  std::vector<std::uint8_t> result;
-  result.reserve(samples.size());
-  for (const T sample : samples) result.push_back(selected(sample) ? 1 : 0);
+  std::vector<std::uint8_t> result(samples.size());
+  std::transform(samples.begin(), samples.end(), result.begin(),
+                 [&](T sample) -> std::uint8_t { return selected(sample) ? 1 : 0; });
   return result;
 }
 
@@ -58,7 +58,7 @@ std::vector<T> possible_labels(const std::vector<std::int64_t>& labels) {
 /// Replaces the samples by the selection; throws `nothing` and the samples' range if no node is selected.
 void replace(Volume& volume, std::vector<std::uint8_t> selected, const std::string& nothing) {
   if (std::find(selected.begin(), selected.end(), 1) == selected.end()) {
-    throw DataError(fmt::format("{}: the samples lie in {}", nothing, range_text(volume)));
+    throw DataError(fmt::format("{}: the samples lie in {}; correct the step", nothing, range_text(volume)));
   }
   volume.samples = std::move(selected);
 }
