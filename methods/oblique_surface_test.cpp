@@ -15,8 +15,8 @@ namespace isobench {
 namespace {
 
 /// The samples of oblique_files.h one millimetre apart, at the origin and along the axes of the world.
-Volume plain_volume() {
-  Volume volume;
+FloatVolume plain_volume() {
+  FloatVolume volume;
   volume.lattice.size = {nx, ny, nz};
   volume.samples = samples();
   return volume;
@@ -81,12 +81,12 @@ TEST(ObliqueSurface, IsThePlainOneStretchedForFormatsWithSpacingAlone) {
 }
 
 TEST(ObliqueSurface, IsMeshedByParticlesAsIfItLayStraight) {
-  Volume straight = plain_volume();
+  FloatVolume straight = plain_volume();
   straight.lattice.spacing = spacing;
-  Volume turned = straight;
+  FloatVolume turned = straight;
   turned.lattice.direction = oblique();
   turned.lattice.origin = origin;
-  const auto mesh = [](const Volume& volume) {
+  const auto mesh = [](const FloatVolume& volume) {
     const Isosurface surface(volume, closed_isovalue);
     SizingRequest request;
     request.edge_length = 0.6;

@@ -13,7 +13,7 @@ namespace {
 
 /// Interwoven tunnels: a surface through every part of a lattice of n³ nodes.
 Isosurface gyroid(int n) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {n, n, n};
   volume.samples.reserve(volume.lattice.nodes());
   for (int k = 0; k < n; ++k) {

@@ -21,7 +21,7 @@ int on_progress(void* monitor, curl_off_t total, curl_off_t now, curl_off_t, cur
     else
       static_cast<Monitor*>(monitor)->check();
   } catch (const Cancelled&) {
-    return 1;  // an exception must not pass through libcurl; the caller asks again
+    return 1;  // stops the transfer; no exception may pass through libcurl, so the caller checks again
   }
   return 0;
 }
@@ -31,7 +31,7 @@ void start_curl() {
   if (code != CURLE_OK) throw DataError("libcurl cannot be started; reinstall it");
 }
 
-/// Removes a half-fetched file however the function that made it ends.
+/// Removes an incomplete file when the function that made it ends, in whatever way.
 struct PartialFile {
   std::filesystem::path path;
   ~PartialFile() {
@@ -53,7 +53,7 @@ std::string download(const std::string& address, std::FILE* out, Monitor& monito
   curl_easy_setopt(curl.get(), CURLOPT_REDIR_PROTOCOLS_STR, "https,http");
   curl_easy_setopt(curl.get(), CURLOPT_NOSIGNAL, 1L);
   curl_easy_setopt(curl.get(), CURLOPT_CONNECTTIMEOUT, 20L);
-  // A transfer that stays below 100 bytes a second for a minute is dead.
+  // Gives up a transfer that stays below 100 bytes a second for a minute.
   curl_easy_setopt(curl.get(), CURLOPT_LOW_SPEED_LIMIT, 100L);
   curl_easy_setopt(curl.get(), CURLOPT_LOW_SPEED_TIME, 60L);
   curl_easy_setopt(curl.get(), CURLOPT_XFERINFOFUNCTION, on_progress);
@@ -72,7 +72,8 @@ void fetch_from_address(const ManifestFile& file, const std::filesystem::path& f
   const PartialFile part{target.string() + fmt::format(".{}.part", getpid())};
   std::FILE* out = std::fopen(part.path.c_str(), "wb");
   if (out == nullptr)
-    throw DataError(folder.string() + ": the cache cannot be written; set ISOBENCH_CACHE to a folder that can");
+    throw DataError(folder.string() +
+                    ": the cache cannot be written; set ISOBENCH_CACHE to a folder that can be written");
   const std::string problem = download(file.address, out, monitor);
   const bool written = std::fclose(out) == 0;
   monitor.check();
@@ -85,8 +86,8 @@ void fetch_from_address(const ManifestFile& file, const std::filesystem::path& f
   const std::string sum = sha256_of_file(part.path);
   if (sum != file.sha256) {
     throw DataError(fmt::format(
-        "{}: its SHA-256 is {} where {} is expected; its publisher has changed it, so set ISOBENCH_DATA to a "
-        "folder that has the original {}",
+        "{}: its SHA-256 is {}, but {} is expected; its publisher has changed it, so set ISOBENCH_DATA to a folder "
+        "that has the original {}",
         file.address, sum, file.sha256, (folder.filename() / file.name).string()));
   }
   std::filesystem::rename(part.path, target);

@@ -57,14 +57,15 @@ void fetch_from_package(const Manifest& manifest, const std::filesystem::path& f
   for (const ManifestFile& file : manifest.files) {
     const std::filesystem::path member = root / file.member;
     if (!std::filesystem::is_regular_file(member)) {
-      throw DataError(fmt::format("{}: the Debian package {} has no {}; another version of it is needed", manifest.name,
-                                  manifest.package->name, file.member));
+      throw DataError(fmt::format(
+          "{}: the Debian package {} has no {}; fetch the version of the package that the manifest was written for",
+          manifest.name, manifest.package->name, file.member));
     }
     const std::string sum = sha256_of_file(member);
     if (sum != file.sha256) {
       throw DataError(fmt::format(
-          "{} of the Debian package {}: its SHA-256 is {} where {} is expected; another version of the package is "
-          "needed",
+          "{} of the Debian package {}: its SHA-256 is {}, but {} is expected; fetch the version of the package that "
+          "the manifest was written for",
           file.member, manifest.package->name, sum, file.sha256));
     }
     std::filesystem::rename(member, folder / file.name);

@@ -155,7 +155,7 @@ TEST(AdvancingFront, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
 
 TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
   // A ball, and one grain of a voxel's size, far smaller than the edges asked for.
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {40, 24, 24};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 24; ++k) {
@@ -178,7 +178,7 @@ TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
 
 TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
   // A ball, and grains of two voxels within a voxel or two of it, on edges longer than the grains.
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {40, 24, 24};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 24; ++k) {
@@ -208,7 +208,7 @@ TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
 TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
   // A hollow ball whose shell is so thin that the lattice sees holes in it: marching cubes has one component where
   // F = c has two, as in the bone of a skull.
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {28, 28, 28};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 28; ++k) {
@@ -247,7 +247,7 @@ TEST(AdvancingFront, ReportsEveryPlaceThatTheFailsafeHadToClose) {
 }
 
 TEST(AdvancingFront, SkipsAnObjectThatLeavesTheVolume) {
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {8, 8, 8};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 8; ++k) {

@@ -10,7 +10,7 @@ namespace {
 
 /// The plane z = 3.5, object below.
 Isosurface plane() {
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {12, 12, 8};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 8; ++k) {

@@ -17,7 +17,7 @@ namespace {
 
 /// z = 4.3 over a lattice of 10 mm, inside below: splines reproduce a linear function.
 Isosurface plane() {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {11, 11, 11};
   for (int k = 0; k < 11; ++k) volume.samples.insert(volume.samples.end(), 121, static_cast<float>(k));
   return {std::move(volume), 4.3, Inside::below};

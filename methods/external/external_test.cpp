@@ -19,7 +19,7 @@ using Settings = std::map<std::string, std::string>;
 
 /// A sphere on a lattice that is turned, mirrored and far from the world's origin.
 Isosurface mirrored_sphere() {
-  Volume volume = sample_phantom(phantom("sphere"), 24);
+  FloatVolume volume = sample_phantom(phantom("sphere"), 24);
   volume.lattice.direction << 0, 0, 1, 1, 0, 0, 0, -1, 0;
   volume.lattice.origin = {100.0, -50.0, 7.0};
   for (float& sample : volume.samples) sample += 10.0F;

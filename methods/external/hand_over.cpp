@@ -89,8 +89,8 @@ void fill_slab(const MeshingTask& task, int k, std::vector<float>& slab) {
 }
 
 // In the data's own units: f is ±(F − c).
-Volume volume_for(const MeshingTask& task) {
-  Volume volume{lattice_for(task), {}};
+FloatVolume volume_for(const MeshingTask& task) {
+  FloatVolume volume{lattice_for(task), {}};
   volume.samples.reserve(volume.lattice.nodes());
   const double sign = task.surface.inside() == Inside::above ? 1.0 : -1.0;
   std::vector<float> slab;
@@ -103,8 +103,8 @@ Volume volume_for(const MeshingTask& task) {
   return volume;
 }
 
-Volume sizing_for(const MeshingTask& task, const SizingField& sizing) {
-  Volume volume{lattice_for(task), {}};
+FloatVolume sizing_for(const MeshingTask& task, const SizingField& sizing) {
+  FloatVolume volume{lattice_for(task), {}};
   const Lattice& lattice = task.surface.lattice();
   volume.samples.reserve(lattice.nodes());
   for (int k = 0; k < lattice.size[2]; ++k) {

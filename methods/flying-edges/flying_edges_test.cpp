@@ -34,7 +34,7 @@ TEST(FlyingEdgesTest, PhantomsAreClosedAndOutwardAndMeetTheirFigures) {
 }
 
 TEST(FlyingEdgesTest, InsideBelowTurnsTheMeshAround) {
-  const Volume volume = sample_phantom(phantom("torus"), 50);
+  const FloatVolume volume = sample_phantom(phantom("torus"), 50);
   const MeshFacts above = mesh_facts(mesh_of(Isosurface(volume, 0.0, Inside::above)));
   const MeshFacts below = mesh_facts(mesh_of(Isosurface(volume, 0.0, Inside::below)));
   EXPECT_GT(above.volume, 0.0);
@@ -42,7 +42,7 @@ TEST(FlyingEdgesTest, InsideBelowTurnsTheMeshAround) {
 }
 
 TEST(FlyingEdgesTest, VerticesAreOnLatticeEdgesWhereTheSamplesInterpolateToTheIsovalue) {
-  Volume volume = sample_phantom(phantom("ellipsoid"), 40);
+  FloatVolume volume = sample_phantom(phantom("ellipsoid"), 40);
   volume.lattice.spacing = {0.7, 1.0, 1.9};
   const Isosurface surface(volume, 1.5);
   const Lattice& l = volume.lattice;

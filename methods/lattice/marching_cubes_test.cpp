@@ -24,10 +24,10 @@ TriangleMesh extract(const Isosurface& surface) {
 }
 
 /// Random samples inside a border of the other sign: every case of the table, most of them often.
-Volume closed_noise(const std::array<int, 3>& size, const Eigen::Vector3d& spacing = Eigen::Vector3d::Ones()) {
+FloatVolume closed_noise(const std::array<int, 3>& size, const Eigen::Vector3d& spacing = Eigen::Vector3d::Ones()) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
-  Volume v;
+  FloatVolume v;
   v.lattice.size = size;
   v.lattice.spacing = spacing;
   v.samples.assign(v.lattice.nodes(), -1.0F);
@@ -148,7 +148,7 @@ TEST(MarchingCubesTest, TheMeshIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(MarchingCubesTest, AnObjectThatLeavesTheLatticeIsOpenThere) {
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {6, 7, 8};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 8; ++k) {
@@ -163,7 +163,7 @@ TEST(MarchingCubesTest, AnObjectThatLeavesTheLatticeIsOpenThere) {
 
 TEST(MarchingCubesTest, NodesExactlyOnTheSurfaceAreOutside) {
   // f = 4 − |x| − |y| − |z| of Catmull-Rom is 0 at many nodes: their vertices coincide and the mesh stays closed.
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {13, 13, 13};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 13; ++k) {

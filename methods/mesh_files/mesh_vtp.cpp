@@ -43,7 +43,7 @@ void add_points(const VtkXmlFile& file, const VtkElement& piece, std::size_t cou
   const VtkElement* points = piece.child("Points");
   if (count == 0) return;
   if (points == nullptr) file.fail("its points have no coordinates");
-  const std::vector<double> coordinates = file.numbers<double>(array_of(file, *points, ""), 3 * count);
+  const std::vector<double> coordinates = file.numbers(array_of(file, *points, ""), 3 * count);
   for (std::size_t v = 0; v < count; ++v) mesh.vertices.emplace_back(coordinates.data() + 3 * v);
 }
 
@@ -53,11 +53,11 @@ void add_triangles(const VtkXmlFile& file, const VtkElement& piece, std::size_t 
   const VtkElement* polygons = piece.child("Polys");
   if (count == 0) return;
   if (polygons == nullptr) file.fail("its polygons have no corners");
-  const std::vector<double> ends = file.numbers<double>(array_of(file, *polygons, "offsets"), count);
+  const std::vector<double> ends = file.numbers(array_of(file, *polygons, "offsets"), count);
   for (std::size_t t = 0; t < count; ++t) {
     if (ends[t] != static_cast<double>(3 * (t + 1))) file.fail("holds polygons other than triangles");
   }
-  const std::vector<double> corners = file.numbers<double>(array_of(file, *polygons, "connectivity"), 3 * count);
+  const std::vector<double> corners = file.numbers(array_of(file, *polygons, "connectivity"), 3 * count);
   const auto offset = static_cast<double>(first);
   for (std::size_t t = 0; t < count; ++t) {
     Triangle& triangle = mesh.triangles.emplace_back();
@@ -77,7 +77,7 @@ void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t coun
       if (array.name != "DataArray" || name.empty() || !VtkXmlFile::is_numeric(array)) continue;
       if (array.attribute("NumberOfComponents", "1") != "1" || (before > 0 && !arrays.contains(name))) continue;
       if (arrays[name].size() != before) continue;  // two of one name: the first
-      const std::vector<double> values = file.numbers<double>(array, count);
+      const std::vector<double> values = file.numbers(array, count);
       arrays[name].insert(arrays[name].end(), values.begin(), values.end());
     }
   }

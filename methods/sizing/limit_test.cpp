@@ -25,7 +25,7 @@ std::vector<float> bumpy_field(const Band& band) {
 }
 
 Isosurface small_surface(const std::string& name, const Eigen::Vector3d& stretch) {
-  Volume volume = sample_phantom(phantom(name), 24);
+  FloatVolume volume = sample_phantom(phantom(name), 24);
   // Rescaled to about one voxel a unit, so that the field varies over a few nodes.
   volume.lattice.spacing = stretch;
   return Isosurface(std::move(volume), 0.0);

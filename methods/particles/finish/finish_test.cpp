@@ -158,9 +158,9 @@ struct HollowBall {
   }
 
  private:
-  Volume sampled() const {
+  FloatVolume sampled() const {
     constexpr int nodes = 61;
-    Volume volume;
+    FloatVolume volume;
     volume.lattice.size = {nodes, nodes, nodes};
     volume.lattice.spacing = {0.5, 0.5, 0.5};
     for (int k = 0; k < nodes; ++k) {

@@ -19,7 +19,7 @@ Isosurface dumb_bell(double off) {
   const auto f = [&](const Eigen::Vector3d& x) {
     return std::exp(-(x - a).squaredNorm() / 30.0) + std::exp(-(x - b).squaredNorm() / 30.0);
   };
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {nodes, nodes, nodes};
   for (int k = 0; k < nodes; ++k) {
     for (int j = 0; j < nodes; ++j) {
@@ -54,7 +54,7 @@ TEST(FinePlaces, MakeParticlesMeshABridgeThinnerThanTheFloor) {
 // Eight coefficients around a cell that no node of the lattice shows as inside, and yet the middle is.
 TEST(FinePlaces, ASpeckBetweenTheNodesIsMeshed) {
   constexpr int nodes = 24;
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {nodes, nodes, nodes};
   for (int k = 0; k < nodes; ++k) {
     for (int j = 0; j < nodes; ++j) {

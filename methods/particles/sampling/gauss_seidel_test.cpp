@@ -18,7 +18,7 @@ namespace {
 
 /// F = z − 2.5 with nodes 1 mm apart: the spline of linear samples is linear.
 Isosurface plane(int width) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {width, width, 6};
   volume.samples.resize(volume.lattice.nodes());
   for (std::size_t n = 0; n < volume.samples.size(); ++n) {

@@ -12,7 +12,7 @@ namespace isobench {
 namespace {
 
 Isosurface sampled(int nodes, double spacing, double isovalue, const std::function<double(const Eigen::Vector3d&)>& f) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {nodes, nodes, nodes};
   volume.lattice.spacing = Eigen::Vector3d::Constant(spacing);
   for (int k = 0; k < nodes; ++k) {

@@ -17,7 +17,7 @@ constexpr int lattice_nodes = 20;
 /// A ball to have a surface at all, and coefficients of a bump that peaks in the middle of the cell (14, 14, 14): all
 /// of its eight corners get the same, so that the peak is higher than the values there.
 Isosurface with_bump(float coefficient, Kernel kernel = Kernel::bspline) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {lattice_nodes, lattice_nodes, lattice_nodes};
   for (int k = 0; k < lattice_nodes; ++k) {
     for (int j = 0; j < lattice_nodes; ++j) {
@@ -58,7 +58,7 @@ std::vector<std::array<int, 3>> seen_by_sampling(const Isosurface& surface) {
 
 TEST(HiddenCells, AreNoneWhereTheSurfaceIsFlatterThanTheLattice) {
   // A plane along the lattice cuts every cell that it meets between its corners.
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {lattice_nodes, lattice_nodes, lattice_nodes};
   for (int n = 0; n < lattice_nodes * lattice_nodes * lattice_nodes; ++n)
     volume.samples.push_back(static_cast<float>(n % lattice_nodes) - 9.3F);

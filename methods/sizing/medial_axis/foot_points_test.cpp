@@ -106,7 +106,7 @@ TEST(FootPoints, LieAsFarFromTheSurfaceAsTheySay) {
 
 // A plane through the whole volume has no axis, and every question has an answer.
 TEST(FootPoints, FindNoAxisWhereThereIsNone) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {8, 8, 8};
   for (int layer = 0; layer < 8; ++layer) volume.samples.insert(volume.samples.end(), 64, static_cast<float>(layer));
   const Axis axis(Isosurface(std::move(volume), 3.3), Monitor());
