@@ -11,6 +11,7 @@
 
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -120,12 +121,6 @@ double unit_in_mm(const std::string& unit, const std::filesystem::path& path) {
   if (unit == "um" || unit == "µm" || unit == "microns") return 1e-3;
   throw DataError(
       fmt::format("{}: its unit of length '{}' is not known; known are mm, cm, m, um", path.string(), unit));
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 }  // namespace isobench

@@ -13,6 +13,7 @@
 #include <vtkXMLImageDataWriter.h>
 
 #include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {

@@ -30,7 +30,4 @@ std::vector<double> numbers_in(const std::string& text, std::size_t count, const
 /// How many mm a unit of length is: "mm", "cm", "m", "um"; throws DataError for others.
 double unit_in_mm(const std::string& unit, const std::filesystem::path& path);
 
-/// Without blanks at both ends.
-std::string trimmed(const std::string& text);
-
 }  // namespace isobench

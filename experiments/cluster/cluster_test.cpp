@@ -114,7 +114,7 @@ TEST_F(ClusterFaultsSlow, LosesNothingWhenTasksAndNodesFail) {
   submit_with("hang:sphere-particles-*-s2-*", {"--chunk", "1", "--", "--time=2"}, "submitted 3 of 10 cells");
   ASSERT_TRUE(Cluster::drained()) << run_command({"squeue"}).out;
   EXPECT_EQ(count_starting(results(), "sphere-particles-l4-s2-"), 0U);
-  const std::string log = text_of(results() / ".slurm/0002-0.log");
+  const std::string log = read_text(results() / ".slurm/0002-0.log");
   EXPECT_NE(log.find("isobench: stopped ("), std::string::npos) << log;
   EXPECT_NE(status().find("missing"), std::string::npos) << status();
 

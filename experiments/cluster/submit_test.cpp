@@ -161,7 +161,7 @@ TEST(SubmitSlow, StaysSmallForVeryManyCells) {
   EXPECT_TRUE(has(call({"status", "results/wide"}, most_of_plan_mb).out, "5000 cells: 0 done, 5000 waiting"));
   // A stand-in that takes no time: what a finished run leaves.
   const fs::path results = folder.path() / "results/wide";
-  const std::vector<RunRequest> plan = plan_from_json(text_of(results / "plan.json"), "plan.json");
+  const std::vector<RunRequest> plan = plan_from_json(read_text(results / "plan.json"), "plan.json");
   tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t n) {
     fs::create_directory(results / plan[n].run);
     write_record(full_record(plan[n]), results / plan[n].run / "run.json");

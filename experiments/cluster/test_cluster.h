@@ -89,7 +89,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
     stop("slurmd-" + name + ".pid");
     for (const std::string& who : {std::string("slurmstepd: ["), folder_of_runs_}) {
       for (const int pid : processes_mentioning(who)) {
-        const std::string variables = text_of(fmt::format("/proc/{}/environ", pid));
+        const std::string variables = read_text_or_empty(fmt::format("/proc/{}/environ", pid));
         const auto has = [&variables](const std::string& part) { return variables.find(part) != std::string::npos; };
         // Another test's cluster has nodes of the same names.
         if (has("SLURMD_NODENAME=" + name) && has("SLURM_CONF=" + configuration())) kill(pid, SIGKILL);

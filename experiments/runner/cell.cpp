@@ -7,7 +7,7 @@
 
 #include "isobench/experiments/plan/matching.h"
 #include "isobench/experiments/runner/fault_injection.h"
-#include "isobench/foundation/processes.h"
+#include "isobench/foundation/processes/process_table.h"
 #include "isobench/methods/mesh/mesh_checksum.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/method.h"

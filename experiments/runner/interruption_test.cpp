@@ -82,7 +82,7 @@ int kill_at_random(const TestFolder& folder, int times, double longest, const st
   std::uniform_real_distribution<double> moment(0.0, longest);
   int alive = 0;
   for (int n = 0; n < times; ++n) {
-    const Program program(folder.path(), arguments, catalogue_in(folder));
+    Program program(folder.path(), arguments, catalogue_in(folder));
     std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
     program.signal(SIGKILL);
     alive += program.wait().signal == SIGKILL ? 1 : 0;
@@ -129,7 +129,7 @@ class Team {
       programs_.emplace_back(places_.back()->path(), arguments, environment);
     }
   }
-  const Program& operator[](std::size_t n) const { return programs_[n]; }
+  Program& operator[](std::size_t n) { return programs_[n]; }
   std::size_t size() const { return programs_.size(); }
 
  private:
@@ -142,7 +142,7 @@ TEST(InterruptionSlow, ProcessesOnOneFolderDoEveryCellOnce) {
   for (const std::size_t size : {2U, 4U}) {
     const TestFolder folder;
     write_many(folder, 10);
-    const Team team(folder, size);
+    Team team(folder, size);
     std::vector<int> shares;
     for (std::size_t n = 0; n < size; ++n) {
       const Outcome outcome = team[n].wait();
@@ -163,7 +163,7 @@ TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
     const TestFolder folder;
     write_many(folder, 10);
     const fs::path results = folder.path() / "results" / "many";
-    const Team team(folder, 3);
+    Team team(folder, 3);
     std::size_t done = 0;
     for (const std::size_t victim : {0U, 2U}) {
       done += std::uniform_int_distribution<std::size_t>(1, 20)(random);
@@ -184,9 +184,9 @@ TEST(Interruption, AFailureIsNotRepeatedByAProcessThatWasThereBefore) {
   const TestFolder folder;
   write_many(folder, 1);
   const std::string held = (folder.path() / "results" / "many" / ".tmp-small-sphere-particles").string();
-  const Team early(folder, 1, "hang:small-sphere/particles");
+  Team early(folder, 1, "hang:small-sphere/particles");
   EXPECT_TRUE(eventually([&] { return process_mentions(held); }));
-  const Team late(folder, 1, "crash:*/marching-cubes");
+  Team late(folder, 1, "crash:*/marching-cubes");
   const Outcome failed = late[0].wait();
   EXPECT_NE(failed.err.find("many: 2 ok, 3 failed, 1 left to another process"), std::string::npos) << failed.err;
   for (const int child : processes_mentioning(held)) kill(child, SIGKILL);

@@ -68,7 +68,7 @@ TEST(Isolation, EveryKindOfFaultCostsItsOwnCellAlone) {
   const std::size_t bad = faults().size();
   EXPECT_NE(outcome.err.find(fmt::format("bad: {} ok, {} failed\n", bad + 2, bad)), std::string::npos) << outcome.err;
 
-  const std::string tables = text_of(results / "tables.md");
+  const std::string tables = read_text(results / "tables.md");
   for (const Fault& fault : faults()) {
     SCOPED_TRACE(fault.kind);
     const RunRecord record = record_of(results, fault.kind + "-marching-cubes-");

@@ -71,7 +71,7 @@ TEST_F(Remeasure, TakesEveryFigureAgainAndKeepsWhatTheMeshTook) {
   ASSERT_TRUE(after.measured_again.has_value());
   EXPECT_EQ(after.measured_again->commit, before.environment.commit);
   EXPECT_TRUE(fs::exists(run(0) / "log.txt"));
-  EXPECT_EQ(text_of(results() / "results.csv").find(",99,"), std::string::npos);
+  EXPECT_EQ(read_text(results() / "results.csv").find(",99,"), std::string::npos);
   // Nothing is left to do afterwards, and nothing lies about.
   const Outcome plan = run_program(folder_.path(), {"run", "x.toml", "--dry-run"});
   EXPECT_NE(plan.out.find(": 2 done"), std::string::npos) << plan.out;
@@ -98,13 +98,13 @@ TEST_F(Remeasure, AMeshThatIsNotItsRecordsIsLeftAlone) {
   mesh.vertices[0].x() += 1e-6;
   write_mesh(mesh, run(0) / "mesh.vtp");
   fs::remove(run(1) / "mesh.vtp");
-  const std::string before = text_of(run(0) / "run.json");
+  const std::string before = read_text(run(0) / "run.json");
   const Outcome outcome = measure();
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("their checksums differ"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("mesh.vtp is missing"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("0 measured, 2 kept as they were"), std::string::npos) << outcome.err;
-  EXPECT_EQ(text_of(run(0) / "run.json"), before);
+  EXPECT_EQ(read_text(run(0) / "run.json"), before);
 }
 
 TEST_F(Remeasure, RunsOfAnEarlierMetricsRevisionTakeTheNameOfThisOne) {

@@ -80,8 +80,8 @@ TEST(Runner, ACrashIsAFailedRowAndTheOthersFinish) {
   EXPECT_EQ(crashed.status, Status::failed);
   EXPECT_NE(crashed.reason.find("SIGSEGV"), std::string::npos) << crashed.reason;
   EXPECT_EQ(record_of(results, "slab").status, Status::ok);
-  EXPECT_NE(text_of(results / "tables.md").find("failed: ended by SIGSEGV"), std::string::npos);
-  EXPECT_NE(text_of(results / "results.csv").find(",failed,"), std::string::npos);
+  EXPECT_NE(read_text(results / "tables.md").find("failed: ended by SIGSEGV"), std::string::npos);
+  EXPECT_NE(read_text(results / "results.csv").find(",failed,"), std::string::npos);
   // Failed runs are tried again, done ones are not.
   const Outcome again = run_program(folder.path(), {"run", "two.toml"});
   EXPECT_EQ(again.code, 0);
@@ -113,8 +113,8 @@ TEST(Runner, AfterSigkillItContinuesWithNothingHalfDone) {
   folder.write("two.toml", two_datasets);
   const fs::path results = folder.path() / "results" / "two";
   // The first run finishes, the second hangs, and then everything is killed.
-  const Program program(folder.path(), {"run", "two.toml", "--out", (folder.path() / "results").string()},
-                        {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
+  Program program(folder.path(), {"run", "two.toml", "--out", (folder.path() / "results").string()},
+                  {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
   const std::string cell = (results / ".tmp-slab").string();
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-slab") == 1; }));
   EXPECT_TRUE(eventually([&] { return process_mentions(cell); }));
@@ -138,7 +138,7 @@ TEST(Runner, SigintStopsCleanlyAndSaysHowToContinue) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   const fs::path results = folder.path() / "results" / "two";
-  const Program program(folder.path(), {"run", "two.toml"}, {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
+  Program program(folder.path(), {"run", "two.toml"}, {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-slab") == 1; }));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
@@ -153,8 +153,7 @@ TEST(Runner, TwoProcessesOnOneFolderShareTheWork) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   const fs::path results = folder.path() / "results" / "two";
-  const Program holder(folder.path(), {"run", "two.toml", "--only", "sphere/*"},
-                       {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
+  Program holder(folder.path(), {"run", "two.toml", "--only", "sphere/*"}, {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-sphere") == 1; }));
   const TestFolder elsewhere;
   const Outcome other = run_program(
@@ -183,9 +182,9 @@ TEST(Runner, TheDryRunSaysWhatIsDoneAndWhatIsLeft) {
   expect_plan("retry    ", "to do    ", "1 to do, 1 retry");
   run_program(folder.path(), {"run", "two.toml", "--only", "sphere/*"});
   const TestFolder elsewhere;
-  const Program holder(elsewhere.path(),
-                       {"run", (folder.path() / "two.toml").string(), "--out", (folder.path() / "results").string()},
-                       {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
+  Program holder(elsewhere.path(),
+                 {"run", (folder.path() / "two.toml").string(), "--out", (folder.path() / "results").string()},
+                 {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
   EXPECT_TRUE(eventually([&] { return count_starting(results, ".tmp-slab") == 1; }));
   expect_plan("done     ", "elsewhere", "1 elsewhere, 1 done");
   holder.signal(SIGKILL);
@@ -214,7 +213,7 @@ TEST(Runner, RepeatsAreKeptApartAndGiveTheSameMesh) {
 
 // The most children at once, by their temporary folders, while an experiment runs.
 std::size_t most_at_once(const TestFolder& folder, const std::string& config, const fs::path& results) {
-  const Program program(folder.path(), {"run", config, "--jobs", "2"}, {{"ISOBENCH_TEST_FAULT", "hang:*"}});
+  Program program(folder.path(), {"run", config, "--jobs", "2"}, {{"ISOBENCH_TEST_FAULT", "hang:*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-") > 0; }));
   // The second, where there is one, is started within the same turn of the loop: half a second is ample.
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
@@ -236,12 +235,12 @@ TEST(Runner, TimedRunsWaitForThoseOfAnotherProcess) {
   const TestFolder folder;
   folder.write("timed.toml", "timing = true\n" + std::string(two_datasets));
   const fs::path results = folder.path() / "results" / "timed";
-  const Program holder(folder.path(), {"run", "timed.toml", "--only", "sphere/*"},
-                       {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
+  Program holder(folder.path(), {"run", "timed.toml", "--only", "sphere/*"},
+                 {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-sphere") == 1; }));
   const TestFolder elsewhere;
-  const Program other(elsewhere.path(), {"run", (folder.path() / "timed.toml").string(), "--only", "slab/*", "--out",
-                                         (folder.path() / "results").string()});
+  Program other(elsewhere.path(), {"run", (folder.path() / "timed.toml").string(), "--only", "slab/*", "--out",
+                                   (folder.path() / "results").string()});
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   EXPECT_EQ(count_starting(results, "slab") + count_starting(results, ".tmp-slab"), 0U);
   holder.signal(SIGKILL);

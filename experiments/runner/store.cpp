@@ -22,7 +22,6 @@ namespace {
 
 const std::string temporary_prefix = ".tmp-";
 const std::string replaced_prefix = ".old-";
-const std::string unwritten = ".tmp-";  // in the name of a file that write_text() has not finished
 
 fs::path lock_path(const fs::path& folder, const std::string& run) { return folder / ".locks" / run; }
 
@@ -51,7 +50,7 @@ void remove_leftovers(const fs::path& folder, const FileLock&) {
     if (entry.is_directory() && (name.starts_with(temporary_prefix) || name.starts_with(replaced_prefix))) {
       names.push_back(name);
     }
-    if (entry.is_regular_file() && name.find(unwritten) != std::string::npos) files.push_back(entry.path());
+    if (entry.is_regular_file() && name.find(PartialFile::mark) != std::string::npos) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
   for (const std::string& name : names) {
@@ -68,22 +67,16 @@ void remove_leftovers(const fs::path& folder, const FileLock&) {
 }  // namespace
 
 std::optional<FileLock> FileLock::try_lock(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (descriptor < 0) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return FileLock(descriptor);
-  const int error = errno;
-  close(descriptor);
-  if (error == EWOULDBLOCK) return std::nullopt;
-  throw Error(path.string() + ": cannot be locked: " + std::strerror(error));
+  Descriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!file.is_open()) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
+  if (flock(file.get(), LOCK_EX | LOCK_NB) == 0) return FileLock(std::move(file));
+  if (errno == EWOULDBLOCK) return std::nullopt;
+  throw Error(path.string() + ": cannot be locked: " + std::strerror(errno));
 }
 
 void FileLock::write(const std::string& text) const {
-  if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, text.data(), text.size(), 0) < 0)
+  if (ftruncate(file_.get(), 0) != 0 || pwrite(file_.get(), text.data(), text.size(), 0) < 0)
     throw Error(std::string("a lock file cannot be written: ") + std::strerror(errno));
-}
-
-FileLock::~FileLock() {
-  if (descriptor_ >= 0) close(descriptor_);
 }
 
 Claim::Claim(FileLock lock, fs::path temporary, fs::path final)
@@ -121,7 +114,7 @@ void check_folder(const fs::path& folder, const Config& config) {
     // Unless it is what a process leaves that died before it had written all it starts with.
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       std::string name = entry.path().filename().string();
-      if (const std::size_t at = name.find(unwritten); at != std::string::npos) name.resize(at);
+      if (const std::size_t at = name.find(PartialFile::mark); at != std::string::npos) name.resize(at);
       if (name == ".locks" || name == "published.toml" || name == "plan.json" || name == "config.toml") continue;
       throw UsageError(folder.string() + " exists and is no results folder; rename the config or give another --out");
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "isobench/experiments/plan/config.h"
+#include "isobench/foundation/processes/descriptor.h"
 #include "isobench/reports/record/record.h"
 #include "isobench/reports/report.h"
 
@@ -22,15 +23,10 @@ class FileLock {
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
   /// What the file is to hold, for others to see who has the lock.
   void write(const std::string& text) const;
-  FileLock(FileLock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
-  ~FileLock();
-  FileLock& operator=(FileLock&&) = delete;
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
 
  private:
-  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
-  int descriptor_ = -1;
+  explicit FileLock(Descriptor file) : file_(std::move(file)) {}
+  Descriptor file_;
 };
 
 /// The right to do one run. Its temporary folder disappears with it unless it was committed.

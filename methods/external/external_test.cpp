@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/external/exchange.h"
 #include "isobench/methods/external/program.h"
@@ -56,9 +57,7 @@ Trial run(const std::string& script, Settings settings = {}, const std::string& 
   } catch (const Error& error) {
     result.error = error.what();
   }
-  std::ostringstream log;
-  log << std::ifstream(folder.path() / "run" / "external.txt").rdbuf();
-  result.log = log.str();
+  result.log = read_text_or_empty(folder.path() / "run" / "external.txt");
   for (const std::string& note : monitor.notes()) result.notes += note + "\n";
   result.counters = monitor.counters();
   result.program_memory_mb = monitor.program_memory_mb();

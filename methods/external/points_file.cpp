@@ -11,6 +11,7 @@
 
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/sample_data.h"
+#include "isobench/foundation/text.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"
 
