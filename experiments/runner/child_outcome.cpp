@@ -18,8 +18,8 @@ RunRecord failure(const RunRequest& request, Status status, const std::string& r
   return record;
 }
 
-// What a child that came to its end recorded of its run; where that is nonsense, std::nullopt and why. Its mesh is not
-// read here, where a damaged file would cost more than its own run: whoever reads it checks it.
+// The record that a child wrote; std::nullopt with the reason if it is invalid. The mesh is not read, because a damaged
+// file could then harm other runs. Whoever reads it later checks it.
 std::optional<RunRecord> recorded_by_child(const RunRequest& request, const std::filesystem::path& folder,
                                            std::string& reason) {
   try {

@@ -10,7 +10,7 @@
 
 namespace isobench {
 
-/// Deflated with a gzip (`gzip` true) or zlib header.
+/// The bytes, compressed by deflate, with a gzip header if `gzip`, otherwise with a zlib header.
 inline std::string deflated(const std::string& bytes, bool gzip) {
   z_stream stream{};
   deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip ? 15 + 16 : 15, 8, Z_DEFAULT_STRATEGY);
@@ -26,7 +26,7 @@ inline std::string deflated(const std::string& bytes, bool gzip) {
   return out;
 }
 
-/// The bytes of one value, in the machine's order or swapped.
+/// The bytes of one value, in the order of this machine or in the other one (`swapped`).
 template <class Value>
 std::string bytes_of_value(Value value, bool swapped = false) {
   std::string bytes(sizeof(Value), '\0');
