@@ -39,7 +39,7 @@ name = "marching-cubes"
   TestFolder folder_;
 };
 
-// Unlike the figures as a whole these do not hang on the last bits, which going through the world costs.
+// Figures that do not depend on the last bits of the coordinates, which the way through world coordinates changes.
 void expect_same_figures(const Measurement& a, const Measurement& b) {
   std::map<std::string, double> figures;
   visit_figures(a, [&figures](const char* name, const auto& value) { figures[name] = static_cast<double>(value); });
@@ -72,7 +72,7 @@ TEST_F(Remeasure, TakesEveryFigureAgainAndKeepsWhatTheMeshTook) {
   EXPECT_EQ(after.measured_again->commit, before.environment.commit);
   EXPECT_TRUE(fs::exists(run(0) / "log.txt"));
   EXPECT_EQ(read_text(results() / "results.csv").find(",99,"), std::string::npos);
-  // Nothing is left to do afterwards, and nothing lies about.
+  // Nothing is left to do, and no temporary folder is left.
   const Outcome plan = run_program(folder_.path(), {"run", "x.toml", "--dry-run"});
   EXPECT_NE(plan.out.find(": 2 done"), std::string::npos) << plan.out;
   for (const auto& entry : fs::directory_iterator(results())) {
@@ -108,7 +108,7 @@ TEST_F(Remeasure, AMeshThatIsNotItsRecordsIsLeftAlone) {
 }
 
 TEST_F(Remeasure, RunsOfAnEarlierMetricsRevisionTakeTheNameOfThisOne) {
-  // What a program with other metrics would have left behind.
+  // Make the folder look as if a program with other metrics had written it.
   std::vector<RunRequest> plan;
   for (RunRecord old : load_results(results()).records) {
     const fs::path from = results() / old.request.run;

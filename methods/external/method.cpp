@@ -106,8 +106,8 @@ fs::path output_of(const MeshingTask& task, const Workplace& place, const std::s
   std::vector<std::string> ours = {name};
   for (const char* file : file_parameters) ours.push_back(task.parameters.text(file));
   const std::string others = files_in(place.folder(), ours);
-  throw Error(fmt::format("{} ended well but wrote no {} in the folder that it ran in{}{}", program, name,
-                          others.empty() ? "" : "; what it wrote there: " + others, log_text(logged)));
+  throw Error(fmt::format("{} succeeded but did not write {} in its working folder{}{}", program, name,
+                          others.empty() ? "" : "; it wrote " + others + " there", log_text(logged)));
 }
 
 std::vector<std::string> placeholders(const std::vector<std::string>& words) {
@@ -176,7 +176,7 @@ std::string name_problem(const std::string& name) {
     if (ending == *one) return "";
     known += (known.empty() ? "" : ", ") + std::string(*one);
   }
-  return "'" + name + "' has none of the endings that tell a format: " + known;
+  return "'" + name + "' must have one of these endings: " + known;
 }
 
 constexpr const char* volume_endings[] = {".nrrd", ".vti", nullptr};
@@ -201,22 +201,22 @@ ParameterSchema schema() {
   ParameterSpec command{"command", std::string(), "", "the program and its arguments, with {placeholders}"};
   command.required = true;
   command.problem = command_problem;
-  ParameterSpec version{"version", std::string(), "", "a command whose last line of output is the program's version"};
+  ParameterSpec version{"version", std::string(), "", "a command that prints the version of the program as its last line"};
   version.problem = version_problem;
   return {command,
           version,
-          file("volume", "volume.nrrd", "file of {volume}, NRRD or VTI", name_problem<volume_endings>),
+          file("volume", "volume.nrrd", "name of the file {volume}, NRRD or VTI", name_problem<volume_endings>),
           choice("values", {"coefficients", "nodes", "samples"},
-                 "of the volume: the spline's coefficients, F at the nodes, or the samples as they are"),
-          file("mesh", "mesh.ply", "file of {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
-          file("sizing", "sizing.nrrd", "file of {sizing}, h at the nodes in mm", name_problem<volume_endings>),
-          choice("frame", {"lattice", "world"}, "of what is handed over"),
-          file("output", "output.ply", "file of {output}, the mesh or points that the program writes",
+                 "what the volume contains: the coefficients of the spline, F at the nodes, or the prepared samples"),
+          file("mesh", "mesh.ply", "name of the file {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
+          file("sizing", "sizing.nrrd", "name of the file {sizing}, h at the nodes in mm", name_problem<volume_endings>),
+          choice("frame", {"lattice", "world"}, "frame of the files that the program gets"),
+          file("output", "output.ply", "name of the file {output}, the mesh or points that the program writes",
                name_problem<output_endings>),
-          choice("returns", {"mesh", "points"}, "what the output is; .nrrd, .nhdr, .xyz and .txt always hold points"),
-          choice("output_frame", {"same", "lattice", "world", "index"}, "of the output"),
-          {"project", false, "", "project the vertices that come back to F = c"},
-          {"keep", false, "", "leave the folder that the program worked in, \"external\", with the run"}};
+          choice("returns", {"mesh", "points"}, "what the output contains; .nrrd, .nhdr, .xyz and .txt always contain points"),
+          choice("output_frame", {"same", "lattice", "world", "index"}, "frame of the output; same: that of `frame`"),
+          {"project", false, "", "project the vertices of the output to F = c"},
+          {"keep", false, "", "keep the working folder of the program, \"external\", with the run"}};
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ Method method_external() {
   Method method;
   method.name = "external";
   method.summary =
-      "Any program, given F as a volume or as a marching-cubes mesh, and the mesh or points that it writes";
+      "Any program: it gets F as a volume or as a marching-cubes mesh, and writes a mesh or points";
   method.deterministic = false;
   method.parameters = external::schema();
   method.mesh = external::mesh;

@@ -1,4 +1,4 @@
-// The worked examples of README.md, read from there.
+// Reads the worked examples from README.md and runs one of them.
 #include <gtest/gtest.h>
 
 #include "isobench/datasets/phantoms/phantoms.h"
@@ -11,7 +11,7 @@
 namespace isobench {
 namespace {
 
-/// The parameters of every [[method]] that the page shows, by label.
+/// The parameters of every [[method]] in README.md, by label.
 std::map<std::string, Parameters> examples() {
   const std::string text = read_text(ISOBENCH_EXTERNAL_README);
   const ParameterSchema& schema = method("external").parameters;
@@ -52,11 +52,12 @@ TEST(Puller, MeshesThePhantomAsThePageSays) {
   EXPECT_EQ(facts.euler, 0);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.nonmanifold_edges, 0U);
-  // Some particles are lost as they find no way to the surface.
+  // The puller drops particles that do not reach the surface.
   EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 1500.0, 150.0);
   for (const Eigen::Vector3d& x : mesh.vertices) {
     const Jet jet = surface.value_gradient(x);
-    // Its own criterion for being on the surface: a ten-thousandth of a voxel; sixfold for the sum of its steps.
+    // The puller stops within a ten-thousandth of a voxel of the surface; ten times that leaves room for its last
+    // steps.
     ASSERT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-3 * surface.voxel());
   }
 }
