@@ -103,8 +103,8 @@ class Monitor {
     double program_memory_mb = 0.0;
   };
   const Bookings& bookings() const { return booked_; }
-  /// Returns to earlier bookings, as if nothing had been reported since. For an attempt whose result is not kept. Call it
-  /// outside all stages.
+  /// Returns to earlier bookings, as if nothing had been reported since. For an attempt whose result is not kept. Call
+  /// it outside all stages.
   void restore(Bookings bookings) { booked_ = std::move(bookings); }
 
   const std::vector<StageTime>& stages() const { return booked_.stages; }

@@ -13,8 +13,6 @@ class UnionFind {
  public:
   explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
-  /// Adds the number n as a set of its own.
-  void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
   /// The representative of the set that n is in.
   std::uint32_t find(std::uint32_t n) {
     while (parent_[n] != n) {

@@ -9,8 +9,7 @@ namespace isobench {
 namespace {
 
 TEST(UnionFind, TheSmallestMemberRepresentsItsSet) {
-  UnionFind sets(4);
-  sets.add();
+  UnionFind sets(5);
   sets.unite(4, 2);
   sets.unite(3, 4);
   sets.unite(3, 2);  // they are one already

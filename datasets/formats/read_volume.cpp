@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -29,8 +27,7 @@ constexpr Format formats[] = {{".nrrd", read_nrrd},     {".nhdr", read_nrrd},   
                               {".vti", read_vti},       {".inr", read_inrimage}, {".inr.gz", read_inrimage}};
 
 Reader reader_for(const std::filesystem::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string name = lower_case(path.filename().string());
   std::string known;
   for (const Format& format : formats) {
     if (name.ends_with(format.ending)) return format.reader;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -125,16 +124,10 @@ Points read_nrrd_points(const fs::path& path) {
   return read_rows(body, header, *type, header.fields["endian"] == "big" ? ByteOrder::big : ByteOrder::little);
 }
 
-std::string lower_ending(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
-
 }  // namespace
 
 Points read_points(const fs::path& path) {
-  const std::string ending = lower_ending(path);
+  const std::string ending = lower_case(path.extension().string());
   Points points;
   if (ending == ".nrrd" || ending == ".nhdr") points = read_nrrd_points(path);
   if (ending == ".xyz" || ending == ".txt") points = read_text_points(path);
