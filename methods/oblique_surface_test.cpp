@@ -7,6 +7,7 @@
 
 #include "isobench/datasets/formats/oblique_files.h"
 #include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {

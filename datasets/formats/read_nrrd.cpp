@@ -10,6 +10,7 @@
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/sample_data.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -29,11 +30,6 @@ struct NrrdHeader {
   }
 };
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 NrrdHeader read_nrrd_header(ByteReader& reader) {
   NrrdHeader header{reader.path(), {}};
   std::string line;
@@ -44,7 +40,7 @@ NrrdHeader read_nrrd_header(ByteReader& reader) {
     if (line.empty()) break;
     const std::size_t colon = line.find(": ");
     if (line[0] == '#' || colon == std::string::npos) continue;  // a comment, or a key:=value pair
-    std::string key = lower(trimmed(line.substr(0, colon)));
+    std::string key = lower_case(trimmed(line.substr(0, colon)));
     // A field's name may be written with or without blanks, in either case.
     key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
     header.fields[key] = trimmed(line.substr(colon + 1));
@@ -59,7 +55,7 @@ NrrdHeader read_nrrd_header(ByteReader& reader) {
 
 /// The world's axes. Coordinates in LAS, a mirror image of RAS, become RAS when `flip` multiplies them.
 std::string space_of(const NrrdHeader& header, Eigen::Vector3d& flip) {
-  const std::string space = lower(header.text("space"));
+  const std::string space = lower_case(header.text("space"));
   flip.setOnes();
   if (space == "right-anterior-superior" || space == "ras") return "RAS";
   if (space == "left-posterior-superior" || space == "lps") return "LPS";
@@ -129,7 +125,7 @@ void skip_lines(ByteReader& reader, double lines) {
 }
 
 void read_data(const NrrdHeader& header, const std::filesystem::path& data, std::uintmax_t begin, Volume& volume) {
-  const std::string encoding = lower(header.text("encoding"));
+  const std::string encoding = lower_case(header.text("encoding"));
   const std::string type_name = header.text("type");
   const auto type = sample_type(type_name);
   if (!type) {
@@ -144,7 +140,7 @@ void read_data(const NrrdHeader& header, const std::filesystem::path& data, std:
                                 header.path.string(), encoding));
   }
   const ByteOrder native = std::endian::native == std::endian::big ? ByteOrder::big : ByteOrder::little;
-  const std::string endian = lower(header.text("endian"));
+  const std::string endian = lower_case(header.text("endian"));
   const ByteOrder order = endian == "big" ? ByteOrder::big : endian == "little" ? ByteOrder::little : native;
   const double skip = header.number("byteskip", 0.0);
   if (skip < 0.0 && !zipped) {  // -1: the data are the last bytes of the file

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -28,8 +27,7 @@ constexpr Format formats[] = {{".nrrd", read_nrrd},     {".nhdr", read_nrrd},   
                               {".vti", read_vti},       {".inr", read_inrimage}, {".inr.gz", read_inrimage}};
 
 Reader reader_for(const std::filesystem::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string name = lower_case(path.filename().string());
   std::string known;
   for (const Format& format : formats) {
     if (name.ends_with(format.ending)) return format.reader;
@@ -121,12 +119,6 @@ double unit_in_mm(const std::string& unit, const std::filesystem::path& path) {
   if (unit == "um" || unit == "µm" || unit == "microns") return 1e-3;
   throw DataError(
       fmt::format("{}: its unit of length '{}' is not known; export it with mm, cm, m or um", path.string(), unit));
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 }  // namespace isobench

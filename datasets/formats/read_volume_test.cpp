@@ -10,6 +10,7 @@
 #include <vtkPointData.h>
 
 #include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {

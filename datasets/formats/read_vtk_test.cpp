@@ -13,6 +13,8 @@
 #include <vtkXMLImageDataWriter.h>
 
 #include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/datasets/formats/test_vtk_writer.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {
@@ -39,24 +41,9 @@ TEST(ReadVti, AllThatVtkWrites) {
   fill(*image);
   const auto path = (folder.path() / "volume.vti").string();
   vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetFileName(path.c_str());
   writer->SetInputData(image);
   writer->SetBlockSize(256);  // four blocks, the last one shorter
-  using Writer = vtkXMLWriterBase;
-  for (const int mode : {Writer::Ascii, Writer::Binary, Writer::Appended}) {
-    for (const int compressor : {Writer::NONE, Writer::ZLIB, Writer::LZ4, Writer::LZMA}) {
-      for (const bool other : {false, true}) {
-        SCOPED_TRACE(fmt::format("mode {}, compressor {}, {}", mode, compressor, other));
-        writer->SetDataMode(mode);
-        writer->SetCompressorType(compressor);
-        writer->SetEncodeAppendedData(other ? 1 : 0);
-        writer->SetHeaderType(other ? Writer::UInt64 : Writer::UInt32);
-        writer->SetByteOrder(other ? Writer::BigEndian : Writer::LittleEndian);
-        ASSERT_EQ(writer->Write(), 1);
-        expect_oblique(read_volume(path));
-      }
-    }
-  }
+  write_all_variants(*writer, path, [&path] { expect_oblique(read_volume(path)); });
 }
 
 TEST(ReadVti, EverySampleTypeAndSeveralPieces) {

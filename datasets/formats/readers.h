@@ -30,7 +30,4 @@ std::vector<double> numbers_in(const std::string& text, std::size_t count, const
 /// The mm that a unit of length has: "mm", "cm", "m" or "um". Throws DataError for another unit.
 double unit_in_mm(const std::string& unit, const std::filesystem::path& path);
 
-/// The text without blanks at its ends.
-std::string trimmed(const std::string& text);
-
 }  // namespace isobench

@@ -6,8 +6,11 @@
 #include <algorithm>
 
 #include "isobench/datasets/manifests/manifest.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"
 #include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
+#include "isobench/foundation/testing/test_variable.h"
 
 namespace isobench {
 namespace {
@@ -138,12 +141,11 @@ TEST_F(CatalogueOfOne, TakesFilesOutOfADebianPackage) {
                "Package: balls\nVersion: 1\nArchitecture: all\nMaintainer: nobody <n@example.org>\nDescription: x\n");
   folder.write("package/usr/share/balls/images/ball.nrrd", ball);
   const std::string root = folder.path().string();
-  ASSERT_EQ(
-      std::system(("cd " + root + "/package/usr/share/balls && tar -czf data.tar.gz images && rm -r images && cd " +
-                   root + " && dpkg-deb --build package balls_1_all.deb > /dev/null")
-                      .c_str()),
-      0);
-  // Takes the place of the package archive.
+  const std::string data = root + "/package/usr/share/balls";
+  ASSERT_TRUE(run_command({"tar", "-C", data, "-czf", data + "/data.tar.gz", "images"}).exit.succeeded());
+  std::filesystem::remove_all(data + "/images");
+  ASSERT_TRUE(run_command({"dpkg-deb", "--build", root + "/package", root + "/balls_1_all.deb"}).exit.succeeded());
+  // Stands in for the package archive.
   write_program(folder, "apt-get", "test \"$1 $2\" = 'download balls' && cp " + root + "/balls_1_all.deb .");
   const TestVariable path("PATH", root + "/bin:" + std::getenv("PATH"));
   const auto write = [&](const std::string& member, const std::string& sha256) {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <random>
 #include <vector>
 
 #include "isobench/datasets/phantoms/ellipsoid.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/union_find.h"
 
 namespace isobench {
 
@@ -183,12 +183,7 @@ struct Topology {
 
 Topology kuhn_topology(const FloatVolume& v) {
   const auto& size = v.lattice.size;
-  std::vector<std::uint32_t> parent(v.samples.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
+  UnionFind regions(v.samples.size());
   const auto mixed = [](std::initializer_list<bool> signs) {
     return std::any_of(signs.begin(), signs.end(), [&](bool s) { return s != *signs.begin(); });
   };
@@ -207,7 +202,7 @@ Topology kuhn_topology(const FloatVolume& v) {
           if (sign(0) != sign(a)) {
             ++result.euler;
           } else {
-            parent[root(static_cast<std::uint32_t>(index(a)))] = root(static_cast<std::uint32_t>(index(0)));
+            regions.unite(static_cast<std::uint32_t>(index(a)), static_cast<std::uint32_t>(index(0)));
           }
           for (int b = a + 1; b < 8; ++b) {
             if ((a & b) != a || !exists(b)) continue;
@@ -218,7 +213,7 @@ Topology kuhn_topology(const FloatVolume& v) {
       }
     }
   }
-  for (std::uint32_t n = 0; n < parent.size(); ++n) result.components += parent[n] == n;
+  for (std::uint32_t n = 0; n < v.samples.size(); ++n) result.components += regions.is_root(n) ? 1 : 0;
   --result.components;
   return result;
 }

@@ -79,7 +79,7 @@ TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
 TEST_F(Compare, AFigureThatDiffersIsShownAndExitsWith1) {
   run_twice(cubes_experiment);
   const fs::path record = record_in("b/two", "torus-marching-cubes");
-  std::string text = text_of(record);
+  std::string text = read_text(record);
   const std::size_t at = text.find("\"triangles\": ");
   ASSERT_NE(at, std::string::npos);
   text.insert(at + 13, 1, '1');

@@ -9,6 +9,7 @@
 
 #include "isobench/experiments/command_line/test_program.h"
 #include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 

@@ -329,7 +329,7 @@ TEST(Config, SetReplacesAParameterOfEveryMethodThatHasIt) {
 
 // What README.md promises must be so: every key that it shows is read, and gives the runs that it speaks of.
 TEST(Config, TheExampleOfThePageIsAnExperiment) {
-  const std::string page = text_of(fs::path(ISOBENCH_EXPERIMENTS) / "README.md");
+  const std::string page = read_text(fs::path(ISOBENCH_EXPERIMENTS) / "README.md");
   const std::size_t begin = page.find("```toml\n") + 8;
   const std::string example = page.substr(begin, page.find("```\n", begin) - begin);
   const fs::path path = write(example, "example.toml");

@@ -52,7 +52,7 @@ void Console::detail(const std::string& text) {
 void Console::update(const std::string& text, double fraction) {
   if (verbosity_ == Verbosity::quiet) return;
   if (!terminal_) {
-    if (last_ == Clock::time_point{}) last_ = Clock::now();  // short work needs no line at all
+    if (last_ == Clock::time_point{}) last_ = Clock::now();  // so that short work prints no line
     if (!elapsed(last_, std::chrono::seconds(30))) return;
     fmt::print(stderr, "{}{}\n", text, fraction >= 0.0 ? fmt::format(" {:.0f} %", 100.0 * fraction) : "");
     return;
@@ -91,7 +91,7 @@ void PipeSink::show(const std::string& stage, double fraction) {
   }
   if (!fresh && !elapsed(last_, std::chrono::milliseconds(100))) return;
   const std::string line = fmt::format("{:.4f} {}\n", fraction, stage);
-  // Nobody reading is no reason to stop: SIGPIPE is ignored in a cell, and the result of write does not matter.
+  // A cell goes on if nobody reads its progress: SIGPIPE is ignored, and so is the result of write().
   [[maybe_unused]] const ssize_t written = write(descriptor_, line.data(), line.size());
 }
 

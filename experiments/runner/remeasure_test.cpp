@@ -39,7 +39,7 @@ name = "marching-cubes"
   TestFolder folder_;
 };
 
-// Unlike the figures as a whole these do not hang on the last bits, which going through the world costs.
+// Figures that do not depend on the last bits of the coordinates, which the way through world coordinates changes.
 void expect_same_figures(const Measurement& a, const Measurement& b) {
   std::map<std::string, double> figures;
   visit_figures(a, [&figures](const char* name, const auto& value) { figures[name] = static_cast<double>(value); });
@@ -71,8 +71,8 @@ TEST_F(Remeasure, TakesEveryFigureAgainAndKeepsWhatTheMeshTook) {
   ASSERT_TRUE(after.measured_again.has_value());
   EXPECT_EQ(after.measured_again->commit, before.environment.commit);
   EXPECT_TRUE(fs::exists(run(0) / "log.txt"));
-  EXPECT_EQ(text_of(results() / "results.csv").find(",99,"), std::string::npos);
-  // Nothing is left to do afterwards, and nothing lies about.
+  EXPECT_EQ(read_text(results() / "results.csv").find(",99,"), std::string::npos);
+  // Nothing is left to do, and no temporary folder is left.
   const Outcome plan = run_program(folder_.path(), {"run", "x.toml", "--dry-run"});
   EXPECT_NE(plan.out.find(": 2 done"), std::string::npos) << plan.out;
   for (const auto& entry : fs::directory_iterator(results())) {
@@ -98,17 +98,17 @@ TEST_F(Remeasure, AMeshThatIsNotItsRecordsIsLeftAlone) {
   mesh.vertices[0].x() += 1e-6;
   write_mesh(mesh, run(0) / "mesh.vtp");
   fs::remove(run(1) / "mesh.vtp");
-  const std::string before = text_of(run(0) / "run.json");
+  const std::string before = read_text(run(0) / "run.json");
   const Outcome outcome = measure();
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("their checksums differ"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("mesh.vtp is missing"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("0 measured, 2 kept as they were"), std::string::npos) << outcome.err;
-  EXPECT_EQ(text_of(run(0) / "run.json"), before);
+  EXPECT_EQ(read_text(run(0) / "run.json"), before);
 }
 
 TEST_F(Remeasure, RunsOfAnEarlierMetricsRevisionTakeTheNameOfThisOne) {
-  // What a program with other metrics would have left behind.
+  // Make the folder look as if a program with other metrics had written it.
   std::vector<RunRequest> plan;
   for (RunRecord old : load_results(results()).records) {
     const fs::path from = results() / old.request.run;

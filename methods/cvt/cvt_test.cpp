@@ -9,20 +9,10 @@
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
-
-Isosurface surface_of(const std::string& name, int nodes) {
-  return Isosurface(sample_phantom(phantom(name), nodes), 0.0);
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
-}
 
 TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
                      std::uint64_t seed = 1) {

@@ -12,6 +12,7 @@
 #include "isobench/methods/closing/labelled_delaunay.h"
 #include "isobench/methods/cvt/cells.h"
 #include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench::cvt {
 namespace {
@@ -42,19 +43,6 @@ struct Case {
   particles::Particles sites;
   std::optional<DelaunayMesh> mesh;
 };
-
-SizingRequest uniform(double edge_length) {
-  SizingRequest request;
-  request.edge_length = edge_length;
-  return request;
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
-}
 
 // As long as edges are short against radii of curvature: cells are cut from the triangles, not from the surface.
 TEST(CvtOptimise, LloydNeverRaisesTheEnergy) {

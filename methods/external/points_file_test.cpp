@@ -24,7 +24,7 @@ TEST(PointsFile, EveryFormatGivesTheSamePoints) {
       folder.write("a.nrrd", header + "raw\n\n" + raw),
       folder.write("b.nrrd", header + "ascii\n\n1 2 3 0\n0.1 -2.5 1000 0\n"),
       folder.write("c.nhdr", header + "raw\ndata file: apart.raw\n"),
-      folder.write("d.xyz", "# two points\n1 2 3\n0.1 -2.5 1e3 the rest is passed over\n"),
+      folder.write("d.xyz", "# two points\n1 2 3\n0.1 -2.5 1e3 the rest is ignored\n"),
       folder.write("e.txt", "1 2 3\n\n0.1 -2.5 1000\n"),
       folder.write("f.ply", ply + "1 2 3\n0.1 -2.5 1000\n"),
       folder.write("g.obj", "v 1 2 3\nv 0.1 -2.5 1000\n"),

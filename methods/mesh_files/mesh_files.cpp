@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 
 namespace isobench {
@@ -27,8 +26,7 @@ constexpr MeshFormat kFormats[] = {{".vtp", read_vtp, write_vtp},
                                    {".stl", read_stl, write_stl}};
 
 const MeshFormat& format_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower_case(path.extension().string());
   for (const MeshFormat& format : kFormats) {
     if (ending == format.ending) return format;
   }

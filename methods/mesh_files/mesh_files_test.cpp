@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <set>
 
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -38,8 +38,7 @@ class MeshFiles : public testing::Test {
   }
   std::string written(const std::string& name) const {
     write_mesh(octahedron(), folder_ / name);
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    return read_text(folder_ / name);
   }
   /// What reading says against these bytes; nothing may reach stdout or stderr.
   std::string error(const std::string& name, const std::string& bytes) const {

@@ -15,6 +15,7 @@
 #include "isobench/methods/particles/sampling/population.h"
 #include "isobench/methods/particles/sampling/relaxation.h"
 #include "isobench/methods/particles/sampling/seeds.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
@@ -22,27 +23,10 @@ namespace {
 using particles::Particles;
 using particles::Spacing;
 
-Isosurface surface_of(const std::string& name, int nodes) {
-  return Isosurface(sample_phantom(phantom(name), nodes), 0.0);
-}
-
 TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, std::uint64_t seed = 1) {
   const Method& particles = method("particles");
   Monitor monitor;
   return particles.mesh(MeshingTask(surface, request, Parameters(particles.parameters), seed), monitor);
-}
-
-SizingRequest with_edges(double edge_length) {
-  SizingRequest request;
-  request.edge_length = edge_length;
-  return request;
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
 }
 
 TEST(ParticlesSeeds, AreAsManyAsAskedOnTheSurfaceAndApart) {
@@ -121,7 +105,7 @@ TEST(ParticlesMethod, KeepsApartWhatIsCloseToItself) {
       {"thin-sheets", 96}, {"near-spheres", 64}, {"vessel-tree", 96}};
   for (const auto& [name, nodes] : lattices) {
     const Isosurface surface = surface_of(name, nodes);
-    for (const SizingRequest& request : {adaptive(0.7, 0.4), with_edges(0.8)}) {
+    for (const SizingRequest& request : {adaptive(0.7, 0.4), uniform(0.8)}) {
       const MeshFacts facts = mesh_facts(mesh_of(surface, request));
       EXPECT_EQ(facts.open_edges, 0U) << name;
       EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;

@@ -1,18 +1,14 @@
 #include "isobench/reports/page/test_browser.h"
 
 #include <curl/curl.h>
-#include <fcntl.h>
 #include <openssl/evp.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "isobench/foundation/files/whole_files.h"
 
 namespace isobench {
 
@@ -24,10 +20,6 @@ namespace fs = std::filesystem;
 // The name under which the protocol hands over an element.
 constexpr const char* element_key = "element-6066-11e4-a52e-4f735466cecf";
 constexpr int patience = 60;  // seconds: a busy machine takes a while to start a browser
-
-bool is_there(const std::string& program) {
-  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;  // NOLINT: a fixed word
-}
 
 std::size_t take(char* data, std::size_t size, std::size_t count, void* text) {
   static_cast<std::string*>(text)->append(data, size * count);
@@ -55,25 +47,13 @@ std::string request(const std::string& method, const std::string& address, const
 // The driver chooses a port of its own and says which.
 int announced_port(const fs::path& log) {
   for (int tries = 0; tries < 10 * patience; ++tries) {
-    std::ostringstream text;
-    text << std::ifstream(log).rdbuf();
+    const std::string text = read_text_or_empty(log);
     const std::string words = "started successfully on port ";
-    const std::size_t at = text.str().find(words);
-    if (at != std::string::npos) return std::stoi(text.str().substr(at + words.size()));
+    const std::size_t at = text.find(words);
+    if (at != std::string::npos) return std::stoi(text.substr(at + words.size()));
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   throw std::runtime_error("chromedriver did not start; its log is " + log.string());
-}
-
-int start_driver(const fs::path& log) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  dup2(file, STDOUT_FILENO);
-  dup2(file, STDERR_FILENO);
-  setpgid(0, 0);  // with its browsers, so that all of them go with it
-  execlp("chromedriver", "chromedriver", "--port=0", static_cast<char*>(nullptr));
-  _exit(127);
 }
 
 std::string decoded(const std::string& base64) {
@@ -87,12 +67,16 @@ std::string decoded(const std::string& base64) {
 
 std::string Browser::missing() {
   for (const char* program : {"chromium", "chromedriver"}) {
-    if (!is_there(program)) return std::string(program) + " is not installed (packages chromium and chromium-driver)";
+    if (!has_program(program))
+      return std::string(program) + " is not installed (packages chromium and chromium-driver)";
   }
   return "";
 }
 
-Browser::Browser(const fs::path& folder) : driver_(start_driver(folder / "driver.txt")) {
+Browser::Browser(const fs::path& folder)
+    : driver_({.words = {"chromedriver", "--port=0"},
+               .out = {ChildOutput::To::new_file, folder / "driver.txt"},
+               .own_group = true}) {
   port_ = announced_port(folder / "driver.txt");
   const Json arguments = {"--headless",
                           "--no-sandbox",
@@ -115,10 +99,8 @@ Browser::Browser(const fs::path& folder) : driver_(start_driver(folder / "driver
 Browser::~Browser() {
   try {
     if (!session_.empty()) call("DELETE", "/session/" + session_, Json::object());
-  } catch (const std::exception&) {  // it goes now anyway
+  } catch (const std::exception&) {  // the driver is killed anyway, and its browsers with it
   }
-  kill(-driver_, SIGKILL);
-  waitpid(driver_, nullptr, 0);
 }
 
 Json Browser::call(const std::string& method, const std::string& path, const Json& body) {

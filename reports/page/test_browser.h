@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "isobench/foundation/processes/child_process.h"
+
 namespace isobench {
 
 class Browser {
@@ -48,7 +50,7 @@ class Browser {
   std::string element(const std::string& selector);
   void act(const nlohmann::json& actions);
 
-  int driver_ = -1;  // its process
+  ChildProcess driver_;
   int port_ = 0;
   std::string session_;
 };

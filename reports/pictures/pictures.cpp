@@ -7,7 +7,9 @@
 #include <set>
 #include <sstream>
 
-#include "isobench/foundation/run_tool.h"
+#include "isobench/foundation/files/scratch_folder.h"
+#include "isobench/foundation/files/whole_files.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"
 #include "isobench/reports/pictures/render.h"
 #include "isobench/reports/runs/run_grid.h"
@@ -156,7 +158,7 @@ std::vector<std::string> have_drawn(const fs::path& folder) {
   const ScratchFolder scratch(folder);
   const bool ended_well = run_tool({program.string(), fs::absolute(folder).string()}, scratch.path());
   std::vector<std::string> sentences;
-  std::istringstream log(fs::exists(scratch.path() / "log.txt") ? read_text(scratch.path() / "log.txt") : "");
+  std::istringstream log(read_text_or_empty(scratch.path() / "log.txt"));
   for (std::string line; std::getline(log, line);) sentences.push_back(line);
   if (!ended_well && sentences.empty()) sentences.emplace_back("The program that draws pictures broke off.");
   return sentences;

@@ -8,7 +8,8 @@
 #include <fstream>
 #include <set>
 
-#include "isobench/foundation/run_tool.h"
+#include "isobench/foundation/files/whole_files.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/reports/record/record.h"
 
 namespace isobench {
@@ -99,11 +100,6 @@ std::string ranges(const Plot& plot) {
   return text;
 }
 
-std::string text_in(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
 // Nothing of an earlier report stays to be mistaken for one of this.
 void remove_others(const fs::path& folder, const std::vector<Plot>& plots) {
   std::set<std::string> names;
@@ -116,7 +112,7 @@ void remove_others(const fs::path& folder, const std::vector<Plot>& plots) {
 }
 
 bool is_svg(const fs::path& path) {
-  const std::string text = text_in(path);
+  const std::string text = read_text_or_empty(path);
   return text.find("<svg") != std::string::npos && text.find("</svg>") != std::string::npos;
 }
 
@@ -151,7 +147,7 @@ Drawn draw(const std::vector<Plot>& plots, const fs::path& folder) {
   for (const Plot& plot : plots) {
     const fs::path script = folder / (plot.name + ".gp");
     const std::string text = gnuplot_script(plot);
-    if (text_in(script) == text && is_svg(folder / (plot.name + ".svg"))) continue;
+    if (read_text_or_empty(script) == text && is_svg(folder / (plot.name + ".svg"))) continue;
     fs::remove(folder / (plot.name + ".svg"));
     write_text(script, text);
     // A process each, so that one that cannot be drawn costs only itself.

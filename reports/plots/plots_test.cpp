@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "isobench/foundation/processes/child_process.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/foundation/testing/test_text.h"
+#include "isobench/foundation/testing/test_variable.h"
 #include "isobench/reports/plots/gnuplot.h"
 #include "isobench/reports/record/sample_records.h"
 
@@ -26,8 +28,6 @@ Results results_for_plots() {
   results.records[3].measurement.reset();
   return results;
 }
-
-bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
 
 TEST(Plots, RadiusRatiosOfAllMethodsLieOverEachOther) {
   const Results results = results_for_plots();
@@ -116,7 +116,7 @@ TEST(Plots, NamesAreFitForFilesAndUnique) {
 }
 
 TEST(Plots, AreDrawnWithAllTheirMarks) {
-  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
+  if (!has_program("gnuplot")) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
   const TestFolder folder;
   Results results = results_for_plots();
   results.records[0].request.label = "<ours> & 100 %_^{x}";
@@ -138,7 +138,7 @@ TEST(Plots, AreDrawnWithAllTheirMarks) {
 }
 
 TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {
-  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
+  if (!has_program("gnuplot")) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
   const TestFolder folder;
   Results results = results_for_plots();
   draw(all_plots(results), folder.path());
@@ -154,10 +154,8 @@ TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {
 
 TEST(Plots, WithoutGnuplotTheScriptsAreThereAndTheRemedy) {
   const TestFolder folder;
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", folder.path().c_str(), 1);
+  const TestVariable path("PATH", folder.path().string());
   const Drawn drawn = draw(all_plots(results_for_plots()), folder.path());
-  setenv("PATH", path.c_str(), 1);
   EXPECT_TRUE(drawn.names.empty());
   EXPECT_NE(drawn.missing.find("apt-get install gnuplot-nox"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "radius-ratio-pelvis.gp"));

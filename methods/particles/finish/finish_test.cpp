@@ -15,6 +15,7 @@
 #include "isobench/methods/method.h"
 #include "isobench/methods/particles/finish/local_search.h"
 #include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench::particles {
 namespace {
@@ -70,23 +71,10 @@ Finished finished(const std::string& name, int nodes, const SizingRequest& reque
   return result;
 }
 
-SizingRequest adaptive(double epsilon) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = 0.3;
-  return request;
-}
-
-SizingRequest matching(double vertices) {
-  SizingRequest request;
-  request.vertices = vertices;
-  return request;
-}
-
 // Lower bounds: what the four real volumes must reach, on phantoms.
 TEST(Finish, ReachesTheGoalUnderGradation) {
   for (const char* name : {"torus", "ellipsoid", "rounded-box", "gyroid-ball"}) {
-    const Finished result = finished(name, 64, adaptive(0.25));
+    const Finished result = finished(name, 64, adaptive(0.25, 0.3));
     const MeshFacts facts = mesh_facts(result.mesh);
     EXPECT_EQ(facts.euler, phantom(name).euler) << name;
     EXPECT_EQ(facts.open_edges, 0U) << name;
@@ -102,8 +90,8 @@ TEST(Finish, ReachesTheGoalUnderGradation) {
 
 TEST(Finish, ReachesTheGoalAtUniformSize) {
   for (const char* name : {"sphere", "torus"}) {
-    const Finished before = finished(name, 48, matching(5000), 0);
-    const Finished after = finished(name, 48, matching(5000));
+    const Finished before = finished(name, 48, with_vertices(5000), 0);
+    const Finished after = finished(name, 48, with_vertices(5000));
     EXPECT_GE(after.shape.least_q, 0.88) << name;
     EXPECT_GE(after.shape.mean_q, 0.985) << name;
     EXPECT_GT(after.shape.mean_q, before.shape.mean_q) << name;
@@ -117,7 +105,7 @@ TEST(Finish, DoesNotDependOnThreads) {
   std::vector<TriangleMesh> meshes;
   for (const std::size_t threads : {1U, 2U, 4U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    meshes.push_back(finished("gyroid-ball", 48, adaptive(0.35)).mesh);
+    meshes.push_back(finished("gyroid-ball", 48, adaptive(0.35, 0.3)).mesh);
   }
   for (const TriangleMesh& mesh : meshes) {
     ASSERT_EQ(mesh.vertices.size(), meshes[0].vertices.size());
@@ -221,7 +209,7 @@ class FinishPatch : public testing::Test {
     const Method& particles = method("particles");
     Monitor monitor;
     const TriangleMesh mesh =
-        particles.mesh(MeshingTask(surface_, matching(500), Parameters(particles.parameters), 1), monitor);
+        particles.mesh(MeshingTask(surface_, with_vertices(500), Parameters(particles.parameters), 1), monitor);
     std::vector<Eigen::Vector3d> normals;
     for (const auto& x : mesh.vertices) normals.push_back(outward_normal(surface_.value_gradient(x).gradient));
     mesh_ = EditableMesh(mesh.vertices, normals, mesh.triangles);

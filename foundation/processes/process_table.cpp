@@ -1,4 +1,4 @@
-#include "isobench/foundation/processes.h"
+#include "isobench/foundation/processes/process_table.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,12 +14,12 @@ namespace isobench {
 
 namespace {
 
-// The process's parent; 0 where it has ended or is none that can still do anything.
+// The parent of a process; 0 if there is no such process or it has ended and waits to be reaped.
 int parent_of(int pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
   std::getline(file, line);
-  // "pid (name) state parent …", and the name may hold blanks and brackets.
+  // "pid (name) state parent …"; the name may contain blanks and brackets.
   const std::size_t name_end = line.rfind(')');
   if (name_end == std::string::npos || line.size() < name_end + 5) return 0;
   const char state = line[name_end + 2];
@@ -74,12 +74,12 @@ std::vector<int> descendants(int pid) {
 }
 
 void kill_descendants(int pid, const std::vector<int>& spared) {
-  // One may start another while we look; a process that cannot be killed must not keep us for ever.
+  // A descendant may start another one meanwhile, hence the loop. It ends even if a process cannot be killed.
   for (int tries = 0; tries < 100; ++tries) {
     std::vector<int> family = descendants(pid);
     std::erase_if(family, [&spared](int one) { return std::find(spared.begin(), spared.end(), one) != spared.end(); });
     if (family.empty()) return;
-    for (const int one : family) ::kill(one, SIGKILL);
+    for (const int member : family) ::kill(member, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 }
