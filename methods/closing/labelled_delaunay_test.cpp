@@ -60,27 +60,27 @@ TEST(LabelledDelaunay, PointsExchangedGiveTheSameSurface) {
   std::vector<Eigen::Vector3d> points = marching_cubes(surface, monitor).vertices;
   LabelledDelaunay exchanged(points, surface, monitor);
   for (std::uint32_t step = 2; step < 5; ++step) {
-    std::vector<std::uint32_t> gone;
+    std::vector<std::uint32_t> removed;
     std::vector<Eigen::Vector3d> kept;
-    std::vector<Eigen::Vector3d> fresh;
+    std::vector<Eigen::Vector3d> added;
     for (std::uint32_t n = 0; n < points.size(); ++n) {
       if (points[n][0] > 0.5 * surface.extent()[0] || n / 50 % step != 1) {
         kept.push_back(points[n]);
         continue;
       }
-      gone.push_back(n);
+      removed.push_back(n);
       const Eigen::Vector3d aside = 0.2 * surface.voxel() * Eigen::Vector3d(std::sin(n), std::sin(2.0 * n), 0.7);
-      if (n % 7 == 0) fresh.push_back(points[n]);  // at the position of a removed point
-      if (n % 3 != 0) fresh.push_back(surface.project(points[n] + aside).value());
+      if (n % 7 == 0) added.push_back(points[n]);  // at the position of a removed point
+      if (n % 3 != 0) added.push_back(surface.project(points[n] + aside).value());
     }
-    ASSERT_FALSE(gone.empty());
-    const std::vector<std::uint32_t> changed = exchanged.replace(gone, fresh);
-    EXPECT_LT(changed.size(), 0.8 * static_cast<double>(kept.size() + fresh.size()));
+    ASSERT_FALSE(removed.empty());
+    const std::vector<std::uint32_t> changed = exchanged.replace(removed, added);
+    EXPECT_LT(changed.size(), 0.8 * static_cast<double>(kept.size() + added.size()));
     EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
 
     const LabelledDelaunay before(points, surface, monitor);
     points = kept;
-    points.insert(points.end(), fresh.begin(), fresh.end());
+    points.insert(points.end(), added.begin(), added.end());
     const LabelledDelaunay after(points, surface, monitor);
     EXPECT_EQ(exchanged.triangles(), after.triangles());
     // The facets without a changed corner are the same before and after, with corners renumbered.
@@ -99,8 +99,8 @@ TEST(LabelledDelaunay, PointsExchangedGiveTheSameSurface) {
     std::vector<std::uint32_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), 0U);
     std::vector<std::uint32_t> now;
-    for (std::uint32_t n = 0, next = 0; n < kept.size() + gone.size(); ++n)
-      now.push_back(std::binary_search(gone.begin(), gone.end(), n) ? UINT32_MAX : next++);
+    for (std::uint32_t n = 0, next = 0; n < kept.size() + removed.size(); ++n)
+      now.push_back(std::binary_search(removed.begin(), removed.end(), n) ? UINT32_MAX : next++);
     EXPECT_EQ(away(before, now), away(exchanged, numbers));
     EXPECT_GT(away(before, now).size(), before.triangles().size() / 5);
   }

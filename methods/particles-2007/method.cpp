@@ -13,7 +13,7 @@ Method method_particles_2007() {
   method.name = "particles-2007";
   method.summary =
       "Particles as published: foot-point medial axis, explicit limiter, Gauss-Seidel relaxation, Tight Cocone (Meyer, "
-      "Kirby, Whitaker 2007). The axis is sampled more finely than in the paper by default";
+      "Kirby, Whitaker 2007); by default the axis is sampled more finely than in the paper";
   method.revision = 2;
   method.parameters = particles::pipeline_parameters(
       {"foot-points", "bounding", "iteration", "marching-cubes", "gauss-seidel", "tight-cocone"});

@@ -19,8 +19,8 @@ namespace {
 
 using Index = EditableMesh::Index;
 
-constexpr double base_shortfall =
-    0.2;  // added to each shortfall, so that few large ones are better than many small ones
+// Added to every shortfall above 0, so that few large ones are better than many small ones.
+constexpr double base_shortfall = 0.2;
 constexpr ShapeEnergy tail_shape{2};
 constexpr int quick_sweeps = 6;
 constexpr int thorough_sweeps = 25;
@@ -209,9 +209,8 @@ Submesh extract_submesh(const EditableMesh& mesh, std::span<const Index> centres
   Submesh submesh;
   std::unordered_map<Index, Index> index_in_submesh;
   const auto add_vertex = [&](Index v) {
-    const auto [found, fresh] = index_in_submesh.try_emplace(v, static_cast<Index>(submesh.vertices.size()));
-    if (fresh) submesh.vertices.push_back(v);
-    return found->second;
+    const bool is_new = index_in_submesh.try_emplace(v, static_cast<Index>(submesh.vertices.size())).second;
+    if (is_new) submesh.vertices.push_back(v);
   };
   for (const Index v : centres) add_vertex(v);
   std::size_t inner = 0;
