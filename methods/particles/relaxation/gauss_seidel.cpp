@@ -1,31 +1,28 @@
-#include "isobench/methods/particles/sampling/gauss_seidel.h"
+#include "isobench/methods/particles/relaxation/gauss_seidel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
-#include "isobench/methods/particles/sampling/energy.h"
+#include "isobench/methods/particles/relaxation/potential.h"
 
 namespace isobench::particles {
 
 namespace {
 
 constexpr double first_lambda = 0.1;
-constexpr double lambda_bound = 1e15;  // and its inverse
+constexpr double largest_lambda = 1e15;  // its inverse is the smallest
 constexpr int most_tries = 12;
-constexpr double list_skin = 0.4;  // lists reach this much farther than the potential
-// Of the list_skin: neighbours may come as near, and h may change on the way.
+constexpr double list_skin = 0.4;  // share by which neighbour lists reach beyond the potential
+// The share of the skin that a particle may move before its list is renewed. It is less than a half because neighbours
+// move as well and the spacing changes on the way.
 constexpr double leash = 0.4;
 
 class GaussSeidel {
  public:
-  GaussSeidel(const Isosurface& surface, const Spacing& spacing, Particles& particles, const std::vector<char>& fixed)
-      : surface_(surface),
-        spacing_(spacing),
-        particles_(particles),
-        fixed_(fixed),
-        lambda_(particles.size(), first_lambda) {
+  GaussSeidel(const SizedSurface& sized, Particles& particles, const std::vector<char>& fixed)
+      : sized_(sized), particles_(particles), fixed_(fixed), lambda_(particles.size(), first_lambda) {
     list_neighbours();
     const std::vector<double> each = energies(particles_, near_);
     energy_ = 0.5 * std::accumulate(each.begin(), each.end(), 0.0);
@@ -33,7 +30,7 @@ class GaussSeidel {
 
   double energy() const { return energy_; }
 
-  /// How many particles moved.
+  /// Returns how many particles moved.
   std::size_t sweep() {
     if (strayed_) list_neighbours();
     std::size_t moved = 0;
@@ -49,7 +46,7 @@ class GaussSeidel {
     Eigen::Vector3d normal;
     double spacing = 0.0;
   };
-  struct Pull {
+  struct Forces {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // Σ E′ unit(x_i − x_j)
     double energy = 0.0;
   };
@@ -62,9 +59,9 @@ class GaussSeidel {
     strayed_ = false;
   }
 
-  Pull pull(std::size_t i, const Place& place) const {
+  Forces forces_at(std::size_t i, const Place& place) const {
     const PotentialTable& potential = PotentialTable::instance();
-    Pull result;
+    Forces result;
     for (const std::uint32_t j : near_.of(i)) {
       const Eigen::Vector3d apart = place.point - particles_.points[j];
       const double scale = beta / std::min(place.spacing, particles_.spacing[j]);
@@ -73,40 +70,40 @@ class GaussSeidel {
       const double d = std::sqrt(square);
       const PotentialTable::Entry entry = potential.at(d);
       result.energy += entry.energy;
-      if (square > 0.0) result.force += apart * (entry.first * scale / d);
+      if (square > 0.0) result.force += apart * (entry.derivative * scale / d);
     }
     return result;
   }
 
-  /// Where a step from `from` ends on the surface; nothing if it does not count wherever its energy is.
+  /// Where a step from `from` ends on the surface; nothing if the step is refused whatever its energy.
   std::optional<Place> place_after(std::size_t i, const Place& from, const Eigen::Vector3d& step) const {
-    const Eigen::Vector3d to = (from.point + step).cwiseMax(0.0).cwiseMin(surface_.extent());
-    const auto foot = surface_.project(to);
+    const Eigen::Vector3d to = (from.point + step).cwiseMax(0.0).cwiseMin(sized_.surface().extent());
+    const auto foot = sized_.surface().project(to);
     if (!foot || (*foot - anchor_[i]).norm() > leash_[i]) return std::nullopt;
-    const Eigen::Vector3d normal = outward_normal(surface_.value_gradient(*foot).gradient);
+    const Eigen::Vector3d normal = outward_normal(sized_.surface().value_gradient(*foot).gradient);
     if (!(normal.dot(from.normal) > 0.0)) return std::nullopt;
-    return Place{*foot, normal, spacing_(*foot)};
+    return Place{*foot, normal, sized_.spacing(*foot)};
   }
 
   bool move(std::size_t i) {
     const Place from{particles_.points[i], particles_.normals[i], particles_.spacing[i]};
-    const Pull now = pull(i, from);
+    const Forces now = forces_at(i, from);
     const Eigen::Vector3d downhill = -from.spacing * (now.force - from.normal * from.normal.dot(now.force));
     const double length = downhill.norm();
     if (!(length > 0.0)) return false;
     double& lambda = lambda_[i];
     while (length > lambda * from.spacing) lambda *= 10.0;
-    for (int tries = 0; tries < most_tries && lambda <= lambda_bound; ++tries, lambda *= 10.0) {
+    for (int tries = 0; tries < most_tries && lambda <= largest_lambda; ++tries, lambda *= 10.0) {
       const auto place = place_after(i, from, downhill / lambda);
       if (!place) continue;
-      const double energy = pull(i, *place).energy;
+      const double energy = forces_at(i, *place).energy;
       if (!(energy < now.energy)) continue;
       energy_ += energy - now.energy;
       settle(i, *place);
-      lambda = std::max(0.1 * lambda, 1.0 / lambda_bound);
+      lambda = std::max(0.1 * lambda, 1.0 / largest_lambda);
       return true;
     }
-    // Nowhere lower within reach; where the neighbours go will change that.
+    // No lower energy in reach. This may change once the neighbours have moved.
     lambda = first_lambda;
     return false;
   }
@@ -118,36 +115,35 @@ class GaussSeidel {
     if ((place.point - anchor_[i]).norm() > 0.5 * leash_[i]) strayed_ = true;
   }
 
-  const Isosurface& surface_;
-  const Spacing& spacing_;
+  const SizedSurface& sized_;
   Particles& particles_;
   const std::vector<char>& fixed_;
   std::vector<double> lambda_;
   NeighbourLists near_;
-  std::vector<Eigen::Vector3d> anchor_;  // where the particles were when the lists were made
-  std::vector<double> leash_;            // how far from there the lists serve them
+  std::vector<Eigen::Vector3d> anchor_;  // positions when the neighbour lists were made
+  std::vector<double> leash_;            // how far from there the lists are valid
   bool strayed_ = false;
   double energy_ = 0.0;
 };
 
 }  // namespace
 
-Round relax_in_order(const Isosurface& surface, const Spacing& spacing, Particles& particles, Monitor& monitor,
-                     const RoundEnd& end, const std::vector<char>& fixed) {
-  Round round;
-  if (particles.size() == 0) return round;
-  GaussSeidel relaxation(surface, spacing, particles, fixed);
+GaussSeidelResult relax_by_gauss_seidel(const SizedSurface& sized, Particles& particles, Monitor& monitor,
+                                        const StopCriterion& stop, const std::vector<char>& fixed) {
+  GaussSeidelResult result;
+  if (particles.size() == 0) return result;
+  GaussSeidel relaxation(sized, particles, fixed);
   const auto count = static_cast<double>(particles.size());
-  for (bool done = false; !done && round.sweeps < end.sweeps; ++round.sweeps) {
+  for (bool done = false; !done && result.sweeps < stop.sweeps; ++result.sweeps) {
     monitor.check();
     const double before = relaxation.energy();
     const auto moved = static_cast<double>(relaxation.sweep());
-    done = before - relaxation.energy() < end.settled * before;
+    done = before - relaxation.energy() < stop.relative_fall * before;
     monitor.trace("energy", 2.0 * relaxation.energy() / count);
     monitor.trace("moves", moved / count);
   }
-  round.energy = relaxation.energy();
-  return round;
+  result.energy = relaxation.energy();
+  return result;
 }
 
 }  // namespace isobench::particles

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/cure/dual_edge.h"
+#include "isobench/methods/particles/cure/dual_edge_crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,15 @@ namespace isobench::particles {
 
 namespace {
 
-// The part of a dual edge that lies in the volume, as a start and a number of steps of at most a quarter voxel.
-struct Walk {
-  Walk(const LabelledDelaunay::Facet& facet, const Isosurface& surface) : from(facet.inside), to(facet.outside) {
-    // Inside is in the volume; outside may be far beyond it, where nothing is crossed any more.
+// Samples along the part of a dual edge that is within the volume, at most a quarter voxel apart.
+struct EdgeSamples {
+  EdgeSamples(const LabelledDelaunay::Facet& facet, const Isosurface& surface) : from(facet.inside), to(facet.outside) {
+    // The inner end is within the volume. The outer end may be far beyond it, where there is no surface.
     double share = 1.0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const double way = to[axis] - from[axis];
-      if (way > 0.0) share = std::min(share, (surface.extent()[axis] - from[axis]) / way);
-      if (way < 0.0) share = std::min(share, -from[axis] / way);
+      const double length = to[axis] - from[axis];
+      if (length > 0.0) share = std::min(share, (surface.extent()[axis] - from[axis]) / length);
+      if (length < 0.0) share = std::min(share, -from[axis] / length);
     }
     to = from + std::max(0.0, share) * (to - from);
     steps = static_cast<int>(std::ceil((to - from).norm() / (0.25 * surface.voxel())));
@@ -27,21 +27,21 @@ struct Walk {
   int steps = 0;
 };
 
-// Calls visit(from, to) for each pair of neighbouring steps between which the sign changes.
+// Calls visit(from, to) for each pair of consecutive samples between which the sign of f changes.
 template <class Visit>
 void visit_crossings(const LabelledDelaunay::Facet& facet, const Isosurface& surface, Visit&& visit) {
-  const Walk walk(facet, surface);
+  const EdgeSamples samples(facet, surface);
   bool inside = true;
-  for (int step = 1; step <= walk.steps; ++step) {
-    const bool now = surface.value(walk.at(step)) > 0.0;
-    if (now != inside) visit(walk.at(step - 1), walk.at(step));
+  for (int step = 1; step <= samples.steps; ++step) {
+    const bool now = surface.value(samples.at(step)) > 0.0;
+    if (now != inside) visit(samples.at(step - 1), samples.at(step));
     inside = now;
   }
 }
 
 }  // namespace
 
-int crossings(const LabelledDelaunay::Facet& facet, const Isosurface& surface) {
+int count_crossings(const LabelledDelaunay::Facet& facet, const Isosurface& surface) {
   int count = 0;
   visit_crossings(facet, surface, [&](const Eigen::Vector3d&, const Eigen::Vector3d&) { ++count; });
   return count;

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/sampling/biased_population.h"
+#include "isobench/methods/particles/relaxation/biased_population_control.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-#include "isobench/methods/particles/sampling/energy.h"
+#include "isobench/methods/particles/relaxation/potential.h"
 #include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::particles {
@@ -16,16 +16,17 @@ namespace {
 
 constexpr double split_threshold = -0.35;
 constexpr double delete_threshold = 0.75;
-constexpr double least_distance = 0.5;  // of a new particle from any other, in units of h
+constexpr double least_distance = 0.5;  // from a new particle to any other, times the spacing
 
-/// U(0, 1) of each particle of this round.
+/// The random numbers of one round.
 class Bias {
  public:
   Bias(std::uint64_t seed, std::uint64_t round) : seed_(hash(seed) ^ round) {}
+  /// U(0, 1) · (E − E_ideal)/E_ideal of particle i.
   double of(std::size_t i, double energy) const {
     return uniform(seed_, i, 0) * (energy - ideal_energy) / ideal_energy;
   }
-  /// In [-1, 1), for the n-th jitter of a particle.
+  /// The n-th number of particle i for its jitter, in [−1, 1).
   double jitter(std::size_t i, std::uint64_t n) const { return 2.0 * uniform(seed_, i, 1 + n) - 1.0; }
 
  private:
@@ -35,7 +36,7 @@ class Bias {
 std::vector<char> choose_deleted(const Particles& particles, const NeighbourLists& near, std::vector<double> energy,
                                  const Bias& bias) {
   using Entry = std::pair<double, std::uint32_t>;
-  // The largest bias first, of equal ones the first particle.
+  // Largest bias first; among equal ones the particle with the lower index first.
   const auto later = [](const Entry& a, const Entry& b) {
     return a.first != b.first ? a.first < b.first : a.second > b.second;
   };
@@ -49,7 +50,7 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
     const auto [value, i] = queue.top();
     queue.pop();
     const double now = bias.of(i, energy[i]);
-    if (now < value) {  // neighbours went in the meantime
+    if (now < value) {  // neighbours have been deleted in the meantime
       if (now > delete_threshold) queue.emplace(now, i);
       continue;
     }
@@ -59,7 +60,7 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
   return deleted;
 }
 
-/// Where the children of particle i go, before anybody asks whether there is room.
+/// Where the children of particle i go, whether or not there is room.
 std::vector<Eigen::Vector3d> children(const Isosurface& surface, const Particles& particles,
                                       const std::vector<std::uint32_t>& neighbours, std::size_t i, const Bias& bias) {
   const Eigen::Vector3d& n = particles.normals[i];
@@ -77,48 +78,50 @@ std::vector<Eigen::Vector3d> children(const Isosurface& surface, const Particles
   return result;
 }
 
-/// Gives up the particles from `first` on that stand too near to one that stays. Returns how many stay.
-std::size_t keep_apart(Particles& particles, std::size_t first) {
+/// Removes particles with an index of at least `first` that are too near to a particle with a lower index that stays.
+/// Returns how many of them stay.
+std::size_t remove_crowded(Particles& particles, std::size_t first) {
   std::vector<double> reach(particles.size());
   for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = least_distance * particles.spacing[i];
   const NeighbourLists near = find_neighbours(particles.points, reach);
-  std::vector<char> gone(particles.size(), 0);
+  std::vector<char> removed(particles.size(), 0);
   for (std::size_t i = first; i < particles.size(); ++i) {
-    const auto in_the_way = [&](std::uint32_t j) {
-      return j < i && gone[j] == 0 && particles.normals[i].dot(particles.normals[j]) > 0.0;
+    const auto is_too_near = [&](std::uint32_t j) {
+      return j < i && removed[j] == 0 && particles.normals[i].dot(particles.normals[j]) > 0.0;
     };
     const auto others = near.of(i);
-    gone[i] = std::any_of(others.begin(), others.end(), in_the_way) ? 1 : 0;
+    removed[i] = std::any_of(others.begin(), others.end(), is_too_near) ? 1 : 0;
   }
-  particles.erase(gone);
+  particles.erase(removed);
   return particles.size() - first;
 }
 
 }  // namespace
 
-PopulationChange control_population_by_bias(const Isosurface& surface, const Spacing& spacing, Particles& particles,
-                                            std::uint64_t seed, std::uint64_t round) {
+PopulationChange control_population_by_bias(const SizedSurface& sized, Particles& particles, std::uint64_t seed,
+                                            std::uint64_t round) {
   const NeighbourLists near = acting_neighbours(particles);
   const std::vector<double> energy = energies(particles, near);
   const Bias bias(seed, round);
   const std::vector<char> deleted = choose_deleted(particles, near, energy, bias);
   std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> born;
+  std::vector<Eigen::Vector3d> added;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (deleted[i] != 0) continue;
     points.push_back(particles.points[i]);
     if (energy[i] > 0.0 && bias.of(i, energy[i]) >= split_threshold) continue;
-    for (const Eigen::Vector3d& child : children(surface, particles, ring(particles, near, i), i, bias)) {
-      born.push_back(child);
+    for (const Eigen::Vector3d& child :
+         children(sized.surface(), particles, same_sheet_neighbours(particles, near, i), i, bias)) {
+      added.push_back(child);
     }
   }
   PopulationChange change;
   change.deleted = particles.size() - points.size();
-  if (change.deleted == 0 && born.empty()) return change;
+  if (change.deleted == 0 && added.empty()) return change;
   const std::size_t parents = points.size();
-  points.insert(points.end(), born.begin(), born.end());
-  particles = make_particles(surface, spacing, std::move(points));
-  change.split = keep_apart(particles, parents);
+  points.insert(points.end(), added.begin(), added.end());
+  particles = make_particles(sized, std::move(points));
+  change.split = remove_crowded(particles, parents);
   return change;
 }
 

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/sampling/population.h"
+#include "isobench/methods/particles/relaxation/population_control.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,11 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "isobench/methods/particles/sampling/energy.h"
+#include "isobench/methods/particles/relaxation/potential.h"
 
 namespace isobench::particles {
 
-std::vector<std::uint32_t> ring(const Particles& particles, const NeighbourLists& near, std::size_t i) {
+std::vector<std::uint32_t> same_sheet_neighbours(const Particles& particles, const NeighbourLists& near,
+                                                 std::size_t i) {
   std::vector<std::uint32_t> result;
   for (const std::uint32_t j : near.of(i)) {
     if (particles.normals[i].dot(particles.normals[j]) > 0.0) result.push_back(j);
@@ -50,7 +51,7 @@ bool crowded(const Eigen::Vector3d& x, double h, const Particles& particles,
                      [&](std::uint32_t j) { return (particles.points[j] - x).norm() < 0.5 * h; });
 }
 
-/// Deletes by falling energy, and none beside one already chosen: an independent set.
+/// Chooses particles with an energy above the limit, highest first, of which no two are neighbours.
 std::vector<char> choose_deleted(const Particles& particles, const NeighbourLists& near,
                                  const std::vector<double>& energy, double limit, const std::vector<char>& fixed) {
   std::vector<std::uint32_t> candidates;
@@ -60,50 +61,51 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
   std::sort(candidates.begin(), candidates.end(),
             [&](std::uint32_t a, std::uint32_t b) { return energy[a] != energy[b] ? energy[a] > energy[b] : a < b; });
   std::vector<char> deleted(particles.size(), 0);
-  std::vector<char> beside(particles.size(), 0);
+  std::vector<char> beside_deleted(particles.size(), 0);
   for (const std::uint32_t i : candidates) {
-    if (beside[i] != 0) continue;
+    if (beside_deleted[i] != 0) continue;
     deleted[i] = 1;
-    for (const std::uint32_t j : near.of(i)) beside[j] = 1;
+    for (const std::uint32_t j : near.of(i)) beside_deleted[j] = 1;
   }
   return deleted;
 }
 
 }  // namespace
 
-PopulationChange control_population(const Isosurface& surface, const Spacing& spacing, Particles& particles,
-                                    double split_below, double delete_above, std::vector<char>* fixed) {
-  const std::vector<char> stays = fixed != nullptr ? *fixed : std::vector<char>(particles.size(), 0);
+PopulationChange control_population(const SizedSurface& sized, Particles& particles, const PopulationLimits& limits,
+                                    std::vector<char>* fixed) {
+  const std::vector<char> is_fixed = fixed != nullptr ? *fixed : std::vector<char>(particles.size(), 0);
   const NeighbourLists near = acting_neighbours(particles);
   const std::vector<double> energy = energies(particles, near);
-  const std::vector<char> deleted = choose_deleted(particles, near, energy, delete_above * ideal_energy, stays);
+  const std::vector<char> deleted =
+      choose_deleted(particles, near, energy, limits.delete_above * ideal_energy, is_fixed);
   std::vector<char> split_beside(particles.size(), 0);
   PopulationChange change;
   std::vector<Eigen::Vector3d> points;
   points.reserve(particles.size());
-  std::vector<char> stays_now;
+  std::vector<char> fixed_after;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (deleted[i] != 0) {
       ++change.deleted;
       continue;
     }
     points.push_back(particles.points[i]);
-    stays_now.push_back(stays[i]);
-    if (stays[i] != 0) continue;
-    // Two neighbours around one gap would both fill it: the first does.
-    if (energy[i] >= split_below * ideal_energy || split_beside[i] != 0) continue;
-    const std::vector<std::uint32_t> neighbours = ring(particles, near, i);
+    fixed_after.push_back(is_fixed[i]);
+    if (is_fixed[i] != 0) continue;
+    // Two neighbouring particles at one gap would both fill it; only the first splits.
+    if (energy[i] >= limits.split_below * ideal_energy || split_beside[i] != 0) continue;
+    const std::vector<std::uint32_t> neighbours = same_sheet_neighbours(particles, near, i);
     const double h = particles.spacing[i];
-    const auto child = surface.project(particles.points[i] + h * widest_gap(particles, neighbours, i));
+    const auto child = sized.surface().project(particles.points[i] + h * widest_gap(particles, neighbours, i));
     if (!child || (*child - particles.points[i]).norm() < 0.5 * h || crowded(*child, h, particles, neighbours))
       continue;
     points.push_back(*child);
-    stays_now.push_back(0);
+    fixed_after.push_back(0);
     ++change.split;
     for (const std::uint32_t j : neighbours) split_beside[j] = 1;
   }
-  if (change.split + change.deleted > 0) particles = make_particles(surface, spacing, std::move(points));
-  if (fixed != nullptr) *fixed = std::move(stays_now);
+  if (change.split + change.deleted > 0) particles = make_particles(sized, std::move(points));
+  if (fixed != nullptr) *fixed = std::move(fixed_after);
   return change;
 }
 

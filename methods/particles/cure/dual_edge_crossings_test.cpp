@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/cure/dual_edge.h"
+#include "isobench/methods/particles/cure/dual_edge_crossings.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ class DualEdgeTest : public ::testing::Test {
   LabelledDelaunay::Facet between(const Vector3d& inside, const Vector3d& outside) const {
     return {{0, 1, 2}, inside, outside};
   }
-  // A node inside the object, as far inside as any.
+  // The node with the largest f.
   Vector3d deepest() const {
     Vector3d best = Vector3d::Zero();
     for (int k = 0; k < 48; ++k) {
@@ -34,12 +34,12 @@ class DualEdgeTest : public ::testing::Test {
   }
 };
 
-TEST_F(DualEdgeTest, CrossesOnceOnTheWayOut) {
+TEST_F(DualEdgeTest, CrossesOnceFromInsideToOutside) {
   const Vector3d centre = deepest();
   ASSERT_GT(surface.value(centre), 0.0);
   for (const Vector3d& to : {Vector3d(0, 0, 0), Vector3d(centre[0], centre[1], 0), Vector3d(centre[0], 0, centre[2])}) {
     const auto facet = between(centre, to);
-    EXPECT_EQ(crossings(facet, surface), 1);
+    EXPECT_EQ(count_crossings(facet, surface), 1);
     const std::vector<Vector3d> points = crossing_points(facet, surface);
     ASSERT_EQ(points.size(), 1U);
     const Jet jet = surface.value_gradient(points[0]);
@@ -52,26 +52,26 @@ TEST_F(DualEdgeTest, CrossesOnceOnTheWayOut) {
 
 TEST_F(DualEdgeTest, CrossesThreeTimesThroughTheOtherSphere) {
   const Vector3d centre = deepest();
-  // Along x lies the other one, whichever of them is deeper.
+  // The other sphere is along x; the direction depends on which sphere has the larger f.
   const double end = centre[0] < 0.5 * surface.extent()[0] ? surface.extent()[0] : 0.0;
   const auto facet = between(centre, {end, centre[1], centre[2]});
-  EXPECT_EQ(crossings(facet, surface), 3);
+  EXPECT_EQ(count_crossings(facet, surface), 3);
   const std::vector<Vector3d> points = crossing_points(facet, surface);
   ASSERT_EQ(points.size(), 3U);
   EXPECT_LT(std::abs(points[0][0] - centre[0]), std::abs(points[1][0] - centre[0]));
   EXPECT_LT(std::abs(points[1][0] - centre[0]), std::abs(points[2][0] - centre[0]));
 }
 
-TEST_F(DualEdgeTest, BeyondTheVolumeNothingIsCrossed) {
+TEST_F(DualEdgeTest, DoesNotCrossBeyondTheVolume) {
   const Vector3d centre = deepest();
   const Vector3d far = centre + 1000.0 * (Vector3d(0, 0, 0) - centre);
-  EXPECT_EQ(crossings(between(centre, far), surface), 1);
+  EXPECT_EQ(count_crossings(between(centre, far), surface), 1);
 }
 
-TEST_F(DualEdgeTest, WithinTheObjectNothingIsCrossed) {
+TEST_F(DualEdgeTest, DoesNotCrossWithinTheObject) {
   const Vector3d centre = deepest();
   const auto facet = between(centre, centre + Vector3d::Constant(surface.voxel()));
-  EXPECT_EQ(crossings(facet, surface), 0);
+  EXPECT_EQ(count_crossings(facet, surface), 0);
   EXPECT_TRUE(crossing_points(facet, surface).empty());
 }
 

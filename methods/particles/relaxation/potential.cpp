@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/sampling/energy.h"
+#include "isobench/methods/particles/relaxation/potential.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +12,19 @@ constexpr double half_pi = std::numbers::pi / 2.0;
 
 }  // namespace
 
-double pair_energy(double d) {
+double potential(double d) {
   if (d >= 1.0) return 0.0;
   const double theta = half_pi * d;
   return 1.0 / std::tan(theta) + theta - half_pi;
 }
 
-double pair_energy_first(double d) {
+double potential_derivative(double d) {
   if (d >= 1.0) return 0.0;
   const double cotangent = 1.0 / std::tan(half_pi * d);
   return -half_pi * cotangent * cotangent;
 }
 
-double pair_energy_second(double d) {
+double potential_second_derivative(double d) {
   if (d >= 1.0) return 0.0;
   const double theta = half_pi * d;
   const double sine = std::sin(theta);
@@ -34,8 +34,8 @@ double pair_energy_second(double d) {
 PotentialTable::PotentialTable() {
   for (std::size_t n = 0; n < entries_.size(); ++n) {
     const double d = std::min(1.0, lowest + static_cast<double>(n) / scale);
-    const double first = pair_energy_first(d);
-    entries_[n] = {pair_energy(d), first, 0.5 * std::max(0.0, pair_energy_second(d) + first / d)};
+    const double derivative = potential_derivative(d);
+    entries_[n] = {potential(d), derivative, 0.5 * std::max(0.0, potential_second_derivative(d) + derivative / d)};
   }
 }
 
