@@ -7,12 +7,26 @@
 #include <CGAL/Mesh_facet_topology.h>
 #include <CGAL/Mesh_triangulation_3.h>
 
-#include <boost/optional.hpp>
 #include <tuple>
+#if CGAL_VERSION_NR < 1060000000
+#include <boost/optional.hpp>
+#else
+#include <optional>
+#endif
 
 #include "isobench/methods/delaunay-refinement/cgal_oracle.h"
 
 namespace isobench::delaunay_refinement {
+
+// The concept MeshDomain_3 asks for std::optional from CGAL 6 on. CGAL has no name for the type but those of its own
+// domains, whose headers take longer to compile than the mesher's.
+#if CGAL_VERSION_NR < 1060000000
+template <class Value>
+using MeshOptional = boost::optional<Value>;
+#else
+template <class Value>
+using MeshOptional = std::optional<Value>;
+#endif
 
 /// A model of CGAL's concept MeshDomain_3: one body, bounded by one surface. CGAL's own labelled domain would ask for
 /// the sign alone; with values of f a crossing takes half as many, and is exact.
@@ -29,8 +43,8 @@ class Domain {  // NOLINTBEGIN(readability-identifier-naming): the concept's nam
   using Subdomain_index = int;
   using Surface_patch_index = int;
   using Index = int;
-  using Subdomain = boost::optional<Subdomain_index>;
-  using Surface_patch = boost::optional<Surface_patch_index>;
+  using Subdomain = MeshOptional<Subdomain_index>;
+  using Surface_patch = MeshOptional<Surface_patch_index>;
   using Intersection = std::tuple<Point_3, Index, int>;
 
   explicit Domain(const Problem& problem) : dual_(problem) {}

@@ -1,3 +1,6 @@
+// CGAL 6 has declared this package obsolete: its headers warn on every inclusion. What meshes with it is a contestant
+// here, to be kept as long as Debian has it.
+#define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/Complex_2_in_triangulation_3.h>
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
