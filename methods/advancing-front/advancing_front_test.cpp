@@ -114,7 +114,7 @@ TEST(AdvancingFront, ItsOwnGuidanceClosesToo) {
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 0);
   EXPECT_GE(mean_radius_ratio(mesh), 0.93);
-  EXPECT_EQ(monitor.seconds("sizing"), 0.0);  // the shared field was not asked for
+  EXPECT_EQ(monitor.seconds("sizing"), 0.0);  // the shared field was not computed
 }
 
 bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
@@ -138,7 +138,7 @@ TEST(AdvancingFront, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
-  // A ball, and one grain of a voxel's size, far smaller than the edges asked for.
+  // A ball, and a grain of about one voxel, much smaller than the requested edges.
   FloatVolume v;
   v.lattice.size = {40, 24, 24};
   v.samples.resize(v.lattice.nodes());
@@ -161,7 +161,8 @@ TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
 }
 
 TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
-  // A ball, and grains of two voxels within a voxel or two of it, on edges longer than the grains.
+  // A ball, and grains of about two voxels at a distance of one or two voxels from it; edges are longer than the
+  // grains.
   FloatVolume v;
   v.lattice.size = {40, 24, 24};
   v.samples.resize(v.lattice.nodes());
@@ -190,8 +191,8 @@ TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
 }
 
 TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
-  // A hollow ball whose shell is so thin that the lattice sees holes in it: marching cubes has one component where
-  // F = c has two, as in the bone of a skull.
+  // A hollow ball with a shell so thin that the lattice's mesh has holes in it: marching cubes gives one component
+  // where F = c has two, as in the bone of a skull.
   FloatVolume v;
   v.lattice.size = {28, 28, 28};
   v.samples.resize(v.lattice.nodes());
@@ -214,7 +215,7 @@ TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
 }
 
 TEST(AdvancingFront, ReportsEveryPlaceThatTheFailsafeHadToClose) {
-  // Edges as long as the radius of the tube: the front cannot close on its own everywhere.
+  // Edges as long as the radius of the tubes: the front cannot close everywhere without the failsafe.
   const Isosurface surface = surface_of("gyroid-ball", 64);
   Monitor monitor;
   const TriangleMesh mesh = mesh_of(surface, uniform(5.0 * surface.voxel()), monitor);

@@ -75,7 +75,7 @@ TEST(DelaunayRefinement, MeshesSphereTorusAndTwoBodiesByEveryEngine) {
   }
 }
 
-// Triangles of a mean edge as long as was asked for: within 3 %, as are those of the sizes that the bound was set by.
+// The mean edge length is within 3 % of the requested one, as on the spheres and tori by which the bound was set.
 TEST(DelaunayRefinement, EdgesAreAsLongAsAskedForOnAverage) {
   const Isosurface surface = surface_of("torus", 48);
   SizingRequest request;
@@ -90,7 +90,6 @@ TEST(DelaunayRefinement, EdgesAreAsLongAsAskedForOnAverage) {
   }
 }
 
-// Named so that the thread sanitizer leaves it out: CGAL's parallel mesher is not ours to check.
 TEST(DelaunayRefinement, FollowsTheFieldOfSizes) {
   const Isosurface surface = surface_of("torus", 48);
   SizingRequest request;
@@ -100,7 +99,7 @@ TEST(DelaunayRefinement, FollowsTheFieldOfSizes) {
     const TriangleMesh mesh = mesh_of(surface, request, engine);
     expect_right(mesh, phantom("torus"), surface);
   }
-  // With g = 1.5 balls are a good half of h: no edge is longer than twice that.
+  // With g = 1.5, surface balls have a radius of about h/2. An edge is at most two radii long.
   Monitor monitor;
   const MeshingTask task(surface, request, with({}), 1);
   const TriangleMesh mesh = method("delaunay-refinement").mesh(task, monitor);

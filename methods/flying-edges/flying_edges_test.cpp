@@ -20,14 +20,14 @@ TriangleMesh mesh_of(const Isosurface& surface) {
 
 TEST(FlyingEdgesTest, PhantomsAreClosedAndOutwardAndMeetTheirFigures) {
   for (const Phantom& p : phantoms()) {
-    // Chords of rims of 1 mm take as much off on the finer lattice as those of the slab's do on the other.
+    // thin-sheets has rims of 1 mm, which the chords of triangles shorten most: it needs the finer lattice.
     const int nodes = p.name == "thin-sheets" ? 160 : 100;
     const MeshFacts facts = mesh_facts(mesh_of(Isosurface(sample_phantom(p, nodes), 0.0)));
     EXPECT_EQ(facts.open_edges, 0U) << p.name;
     EXPECT_EQ(facts.euler, p.euler) << p.name;
     EXPECT_EQ(facts.components, static_cast<std::size_t>(p.components)) << p.name;
     EXPECT_GT(facts.volume, 0.0) << p.name;
-    // Not the spline: nothing but the chords of half-millimetre triangles makes it smaller.
+    // No spline is involved: only the chords of triangles of half a millimetre make volume and area smaller.
     EXPECT_NEAR(facts.volume / p.volume.value_or(facts.volume), 1.0, 0.002) << p.name;
     EXPECT_NEAR(facts.area / p.area.value_or(facts.area), 1.0, 0.002) << p.name;
   }

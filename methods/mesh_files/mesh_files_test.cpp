@@ -20,7 +20,7 @@
 namespace isobench {
 namespace {
 
-// Coordinates that single precision or six digits would not keep.
+// The coordinates need more than single precision or six digits.
 TriangleMesh octahedron() {
   TriangleMesh mesh;
   const double r = 100.0 + 1.0 / 3.0;
@@ -40,7 +40,7 @@ class MeshFiles : public testing::Test {
     write_mesh(octahedron(), folder_ / name);
     return read_text(folder_ / name);
   }
-  /// What reading says against these bytes; nothing may reach stdout or stderr.
+  /// The error message when these bytes are read; nothing may be printed.
   std::string error(const std::string& name, const std::string& bytes) const {
     const std::filesystem::path path = file(name, bytes);
     testing::internal::CaptureStderr();
@@ -199,7 +199,7 @@ TEST_F(MeshFiles, WithPolygonsOtherThanTrianglesAreDataErrors) {
                   "only triangles");
 }
 
-// A VTP file in text, of three vertices, with the given connectivity and offsets of its polygons.
+// A VTP file in ASCII with three vertices and the given connectivity and offsets of its polygons.
 std::string vtp_text(const std::string& points, const std::string& connectivity, const std::string& offsets) {
   const std::string number_of_polys = std::to_string(std::count(offsets.begin(), offsets.end(), ' ') + 1);
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "

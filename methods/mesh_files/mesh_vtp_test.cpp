@@ -1,4 +1,4 @@
-// VTP files as VTK's own writer makes them, in every way that it knows; and ours as VTK reads them.
+// Reads VTP files from VTK's writer in all its modes, and lets VTK read ours.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
@@ -17,7 +17,7 @@
 namespace isobench {
 namespace {
 
-/// A strip of triangles, with data that are read (scalars) and that are not (vectors).
+/// A strip of triangles with scalars, which are read, and vectors, which are not.
 void fill(vtkPolyData& data, int count) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

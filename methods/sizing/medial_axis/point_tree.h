@@ -42,14 +42,29 @@ class PointTree {
   };
   using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>, Adaptor, 3>;
 
-  /// The nearest of the points with a squared distance below `square`; `found` if there is none.
+  /// What nanoflann tells of the points that it meets: keeps the nearest one with a squared distance below `square`.
+  /// The library's own result sets take such a bound in some of its versions only.
+  struct Nearest {
+    using DistanceType = double;
+    std::size_t index;
+    double square;
+    double worstDist() const { return square; }  // NOLINT(readability-identifier-naming): the library's name
+    bool full() const { return true; }
+    void sort() const {}
+    bool addPoint(double found, std::size_t at) {  // NOLINT(readability-identifier-naming): the library's name
+      if (found < square) {
+        square = found;
+        index = at;
+      }
+      return true;  // go on searching
+    }
+  };
+
+  /// The nearest of those whose squared distance is below `square`; `found` if there is none.
   std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x, std::size_t found, double square) const {
-    const double bound = square;
-    nanoflann::KNNResultSet<double, std::size_t, std::size_t> result(1);
-    result.init(&found, &square);
-    square = bound;
-    index_.findNeighbors(result, x.data(), nanoflann::SearchParams());
-    return {found, std::sqrt(square)};
+    Nearest result{found, square};
+    index_.findNeighbors(result, x.data(), {});
+    return {result.index, std::sqrt(result.square)};
   }
 
   Adaptor adaptor_;
