@@ -77,7 +77,7 @@ void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t coun
       if (array.name != "DataArray" || name.empty() || !VtkXmlFile::is_numeric(array)) continue;
       if (array.attribute("NumberOfComponents", "1") != "1" || (before > 0 && !arrays.contains(name))) continue;
       if (arrays[name].size() != before) continue;  // of two arrays with one name, the first is read
-      const std::vector<double> values = file.numbers<double>(array, count);
+      const std::vector<double> values = file.numbers(array, count);
       arrays[name].insert(arrays[name].end(), values.begin(), values.end());
     }
   }

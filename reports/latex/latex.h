@@ -22,7 +22,7 @@ std::string macro_name(const std::vector<std::string>& parts);
 
 /// \newcommand{\isobench<Data><Method><Figure>}{<value>} for each figure of each dataset and variant with a finished
 /// run. Of several seeds or repeats it is the median, and …Smallest and …Largest stand beside it; where the median
-/// leaves out meshes that are no closed manifolds (gated()), …RunsLeftOut says how many.
+/// leaves out meshes that are no closed manifolds (counted_runs()), …RunsLeftOut says how many.
 std::string latex_macros(const Results& results);
 
 /// tables.tex: to be read with \input by a document that loads booktabs and siunitx.

@@ -15,7 +15,7 @@
 namespace isobench {
 namespace {
 
-// Two datasets, two methods; of one run of the four there is no mesh.
+// Two data sets, two methods; one of the four runs has no mesh.
 Results results_for_plots() {
   Results results;
   results.name = "test";
@@ -29,7 +29,7 @@ Results results_for_plots() {
   return results;
 }
 
-TEST(Plots, RadiusRatiosOfAllMethodsLieOverEachOther) {
+TEST(Plots, RadiusRatiosOfAllMethodsAreInOnePlot) {
   const Results results = results_for_plots();
   const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
   ASSERT_EQ(plots.size(), 2U);
@@ -60,7 +60,7 @@ TEST(Plots, RunsOfSeveralSeedsAreOneSeries) {
   results.records = {sample_record("skull", "ours"), sample_record("skull", "ours"), sample_record("skull", "ours")};
   for (std::size_t n = 0; n < 3; ++n) results.records[n].request.seed = n + 1;
   results.records[1].measurement->radius_ratio.histogram.add(0.75);
-  // A mesh that is not closed stays out while there are others.
+  // A mesh that is not closed does not count beside closed ones.
   results.records[2].measurement->topology.boundary_edges = 3;
   results.records[2].measurement->radius_ratio.histogram.add(0.05);
   const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
@@ -91,7 +91,7 @@ TEST(Plots, StagesAddUpToTheSecondsOfTheRun) {
   EXPECT_EQ(plot.series[2].name, "rest");
   EXPECT_DOUBLE_EQ(plot.series[0].y[0] + plot.series[1].y[0] + plot.series[2].y[0], 5.25);
   EXPECT_DOUBLE_EQ(plot.series[2].y[0], 0.25);
-  EXPECT_DOUBLE_EQ(plot.series[2].y[1], 3.25);  // sizing alone is of its stages
+  EXPECT_DOUBLE_EQ(plot.series[2].y[1], 3.25);  // of its stages only sizing has its own series
 }
 
 TEST(Plots, EveryTraceHasItsPlot) {
@@ -134,7 +134,7 @@ TEST(Plots, AreDrawnWithAllTheirMarks) {
   }
   const std::string ratios = read_text(folder.path() / "radius-ratio-pelvis.svg");
   EXPECT_NE(ratios.find("&lt;ours> &amp; 100 %_^{x}"), std::string::npos);
-  EXPECT_NE(ratios.find("triangles, % a bin of 0.01"), std::string::npos);
+  EXPECT_NE(ratios.find("% of the triangles in each bin of 0.01"), std::string::npos);
 }
 
 TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {

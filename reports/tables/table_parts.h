@@ -16,12 +16,12 @@ std::string dagger(const RunRecord& record);
 /// What has to be known of a mesh before its figures are believed: " †" as above, " ‡" for a number of vertices that
 /// could not be matched, " †‡"; else "".
 std::string marks(const RunRecord& record);
-/// Of the runs whose figures are shown (gated()), all marks that one of them has.
+/// Of the runs whose figures are shown (counted_runs()), all marks that one of them has.
 std::string marks(const Runs& runs);
 /// What stands in the place of figures: "not run", "timeout: not finished after 20 minutes"; empty where the run is ok.
 TableCell instead_of_figures(const RunRecord* record);
 
-/// One figure over runs of which at least one is finished, ready for a cell; of those that gated() lets pass.
+/// One figure over runs of which at least one is finished, ready for a cell; of those that counted_runs() lets pass.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
 /// The same of what was timed as most of the runs were (RunGrid::timing): seconds of others do not compare, and
 /// where a cell has no others it says " §".

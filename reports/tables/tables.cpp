@@ -21,7 +21,7 @@ struct Column {
 };
 
 // A table of one row a dataset and variant; several seeds or repeats give the median and the range, of those that
-// gated() lets pass or of all that finished.
+// counted_runs() lets pass or of all that finished.
 Table table_of_runs(const RunGrid& runs, const std::string& title, const std::vector<Column>& columns,
                     bool gate = true) {
   Table table;

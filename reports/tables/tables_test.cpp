@@ -161,7 +161,7 @@ TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
   EXPECT_EQ(find_row(best_table(runs), {"Time, sizing and method"})[1], "particles: 5.25 s");
   EXPECT_EQ(find_row(methods_table(runs), {"marching-cubes"})[8], "§");
   const std::string remark =
-      "§ Seconds are compared among the runs on slow, 4 cores, 2 threads alone; left out: 1 run on fast, 4 cores, 2 "
+      "§ Seconds are compared only between runs on slow, 4 cores, 2 threads. Left out: 1 run on fast, 4 cores, 2 "
       "threads, nothing else on the machine.";
   EXPECT_EQ(timing_remark(runs), remark);
   for (const Table& table : {cost_table(runs), sizes_table(results, runs), best_table(runs), methods_table(runs)}) {

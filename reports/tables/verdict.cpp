@@ -17,7 +17,8 @@ namespace {
 // Of seconds only those that compare.
 double median_of(const RunGrid& arrangement, const Runs& runs, const Question& question) {
   std::vector<double> values;
-  for (const RunRecord* run : question.timed ? timed_so(gated(runs), arrangement.timing) : gated(runs))
+  for (const RunRecord* run :
+       question.timed ? runs_with_timing(counted_runs(runs), arrangement.timing) : counted_runs(runs))
     values.push_back(figure_value(*run, question.figure));
   return spread_of(std::move(values)).median;
 }
@@ -149,7 +150,7 @@ Table methods_table(const RunGrid& runs) {
     row.push_back(figure_cell(six, to_significant(3)));
     row.push_back(figure_cell(vertices, as_number()));
     // A sum that lacks some of its runs would be no sum of them all.
-    const bool alike = timed_so(done, runs.timing).size() == done.size();
+    const bool alike = runs_with_timing(done, runs.timing).size() == done.size();
     row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
     row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
     table.rows.push_back(std::move(row));
