@@ -1,4 +1,4 @@
-// For tests of the whole program: runs it and gives its exit code, its output and the files that it leaves.
+// Runs the program itself, for the tests of what only the whole of it shows: exit codes, signals, what is left behind.
 #pragma once
 
 #include <fcntl.h>
@@ -34,14 +34,14 @@ inline std::vector<std::string> with(std::vector<std::string> arguments, const s
 }
 
 struct Outcome {
-  int code = -1;   ///< exit status; -1 where a signal ended the program
-  int signal = 0;  ///< the signal that ended it; 0: none
+  int code = -1;  ///< exit status; -1 where a signal ended it
+  int signal = 0;
   std::string out;
   std::string err;
-  double peak_memory_mb = 0.0;  ///< largest resident memory of the program or of a program that it ran
+  double peak_memory_mb = 0.0;  ///< largest resident memory, of it or of one that it ran
 };
 
-/// The program while it runs in a folder, with some variables added to its environment.
+/// The program running in a folder, with additions to the environment.
 class Program {
  public:
   Program(const std::filesystem::path& folder, std::vector<std::string> arguments,
@@ -53,8 +53,7 @@ class Program {
     pointers.push_back(nullptr);
     pid_ = fork();
     if (pid_ != 0) return;
-    setenv("ISOBENCH_TABLES_ONLY", "1", 0);  // a page takes seconds, and other tests look at it
-    unsetenv("COLUMNS");                     // the width of the terminal that the tests run in
+    setenv("ISOBENCH_TABLES_ONLY", "1", 0);  // what a page takes is for the tests of the page
     for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
     const bool ready = chdir(folder.c_str()) == 0;
     dup2(open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
@@ -101,7 +100,7 @@ inline std::size_t count_starting(const std::filesystem::path& folder, const std
   return count;
 }
 
-/// Waits until the condition holds. Gives up after a minute: a phantom takes far less, even under a sanitizer.
+/// True once the condition holds; gives up after a minute, far above what a phantom takes even under a sanitizer.
 inline bool eventually(const std::function<bool()>& condition,
                        std::chrono::steady_clock::duration patience = std::chrono::minutes(1)) {
   const auto start = std::chrono::steady_clock::now();
@@ -124,7 +123,7 @@ inline std::vector<int> processes_mentioning(const std::string& text) {
 }
 inline bool process_mentions(const std::string& text) { return !processes_mentioning(text).empty(); }
 
-/// The fields of a CSV line. Quoted ones may contain commas.
+/// A line's fields; quoted ones may hold commas.
 inline std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> found(1);
   bool quoted = false;
@@ -138,7 +137,7 @@ inline std::vector<std::string> fields(const std::string& line) {
   return found;
 }
 
-/// results.csv without the columns of cost and of place, which differ from run to run.
+/// results.csv without what a computation costs and where it was done.
 inline std::vector<std::vector<std::string>> figures(const std::filesystem::path& results) {
   std::istringstream text(text_of(results / "results.csv"));
   std::vector<std::vector<std::string>> rows;
