@@ -1,4 +1,4 @@
-// Whatever an external program does costs its own run and no other, and its log is there to be read.
+// Whatever an external program does, only its own run fails, and its log is kept.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(External, EveryWayToFailCostsItsOwnRunAlone) {
     const std::string log = read_text(run / "external.txt");
     EXPECT_NE(log.find("$ sh "), std::string::npos) << log;
     EXPECT_NE(log.find(one.status == Status::ok ? "\nfine\n" : "\nwords\n"), std::string::npos) << log;
-    EXPECT_EQ(count_starting(run, "."), 0U) << "scratch folders go, however it ended";
+    EXPECT_EQ(count_starting(run, "."), 0U) << "scratch folders are removed, however the program ended";
     EXPECT_EQ(fs::exists(run / "mesh.vtp"), one.status == Status::ok);
   }
   const RunRecord fine = read_record(folder_of(results, "fine") / "run.json");
@@ -87,7 +87,7 @@ TEST(External, EveryWayToFailCostsItsOwnRunAlone) {
       process_mentions(std::string("sleep\0"
                                    "1003",
                                    10)))
-      << "though it had left the process group";
+      << "a process that left the process group is stopped, too";
 }
 
 TEST(External, AnInterruptionStopsTheProgramAndAllThatItStarted) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <new>
 
-#include "isobench/experiments/plan/matching.h"
+#include "isobench/experiments/plan/vertex_match.h"
 #include "isobench/experiments/runner/fault_injection.h"
 #include "isobench/foundation/processes/process_table.h"
 #include "isobench/methods/mesh/mesh_checksum.h"

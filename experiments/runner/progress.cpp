@@ -1,12 +1,13 @@
 #include "isobench/experiments/runner/progress.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+
+#include "isobench/experiments/terminal/terminal.h"
 
 namespace isobench {
 
@@ -19,11 +20,6 @@ bool elapsed(Clock::time_point& last, std::chrono::milliseconds interval) {
   if (last != Clock::time_point{} && now - last < interval) return false;
   last = now;
   return true;
-}
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
 }
 
 std::string bar(double fraction) {
@@ -58,9 +54,9 @@ void Console::update(const std::string& text, double fraction) {
     return;
   }
   if (!elapsed(last_, std::chrono::milliseconds(100))) return;
-  std::string shown = (fraction >= 0.0 ? bar(fraction) : "") + text;
-  if (shown.size() >= terminal_width()) shown.resize(terminal_width() - 1);
-  fmt::print(stderr, "\r\x1b[K{}", shown);
+  // One column less than there are: a full line would make the terminal go to the next one.
+  const std::size_t most = terminal_width(STDERR_FILENO).value_or(80) - 1;
+  fmt::print(stderr, "\r\x1b[K{}", first_characters((fraction >= 0.0 ? bar(fraction) : "") + text, most));
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -1,9 +1,9 @@
-// [[vary]]: ablations, one thing at a time.
+// [[vary]]: one value changed at a time.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "isobench/experiments/plan/config_parts.h"
+#include "isobench/experiments/plan/config_readers.h"
 #include "isobench/methods/method.h"
 
 namespace isobench {
@@ -13,6 +13,12 @@ namespace {
 constexpr const char* rule =
     "a [[vary]] changes sampling.<key>, method.<label>.<parameter> or reference.k, e.g. key = \"sampling.epsilon\"";
 
+UsageError several_values(const std::string& who, const Variation& variation) {
+  return {variation.place, fmt::format("{} gives several values of {}, but a [[vary]] starts from one; keep one of "
+                                       "them, or remove the [[vary]] to get a grid",
+                                       who, variation.name)};
+}
+
 void read_sampling_variation(const TomlValue& values, const Config& config, Variation& variation) {
   const std::vector<std::string>& keys = sampling_keys();
   if (std::find(keys.begin(), keys.end(), variation.name) == keys.end()) {
@@ -21,9 +27,7 @@ void read_sampling_variation(const TomlValue& values, const Config& config, Vari
   }
   Sampling base = config.sampling;
   if (sampling_values(base, variation.name).size() > 1) {
-    throw UsageError(variation.place, fmt::format("[sampling] gives several values of {}, and a [[vary]] starts from "
-                                                  "one; leave one there, or leave this [[vary]] out for a grid",
-                                                  variation.name));
+    throw several_values("[sampling]", variation);
   }
   for (const TomlValue& element : nonempty_list(values, "values")) {
     variation.values.emplace_back(positive(element, variation.name));
@@ -50,9 +54,7 @@ void read_method_variation(const TomlValue& values, const Config& config, Variat
   for (const MethodEntry& entry : config.methods) {
     const auto base = entry.parameters.find(variation.name);
     if (variation.changes(entry) && base != entry.parameters.end() && base->second.size() > 1) {
-      throw UsageError(variation.place, fmt::format("'{}' gives several values of {}, and a [[vary]] starts from one; "
-                                                    "leave one there, or leave this [[vary]] out for a grid",
-                                                    entry.label, variation.name));
+      throw several_values("'" + entry.label + "'", variation);
     }
   }
   Parameters checked(schema);
@@ -66,7 +68,7 @@ void read_method_variation(const TomlValue& values, const Config& config, Variat
 void read_reference_variation(const TomlValue& values, const Config& config, Variation& variation) {
   if (variation.name != "k") throw UsageError(variation.place, rule);
   if (config.reference_k.size() > 1) {
-    throw UsageError(variation.place, "[reference] gives several values of k, and a [[vary]] starts from one");
+    throw several_values("[reference]", variation);
   }
   for (const TomlValue& element : nonempty_list(values, "values")) {
     variation.values.emplace_back(static_cast<double>(reference_refinement(element)));

@@ -107,7 +107,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   text += "dataset = " + toml_list(config.datasets) + "\n";
   text += "seed = " + toml_list(config.seeds) + "\n";
   if (config.repeats > 1) text += fmt::format("repeats = {}\n", config.repeats);
-  // Written out where it is not what follows from the repeats.
+  // Needed only where it is not the default, which depends on the repeats.
   if (config.timing != (config.repeats > 1)) text += fmt::format("timing = {}\n", config.timing);
   if (config.match) text += "match = \"vertices\"\nmatch_to = " + toml(config.match->to) + "\n";
   if (config.artefacts) text += "artefacts = true\n";
@@ -131,7 +131,7 @@ std::string identity(const Config& config) {
   for (Override& change : plain.overrides) {
     change.limits = {};
     change.artefacts.reset();
-    // An override may go by a label, which is no part of the identity; the method that it means is.
+    // Labels make no difference, but an override may name its method by one.
     for (std::string& target : change.methods) {
       for (const MethodEntry& entry : config.methods) {
         if (entry.label == target) target = entry.name;
@@ -139,7 +139,7 @@ std::string identity(const Config& config) {
     }
   }
   std::erase_if(plain.overrides, [](const Override& change) { return sampling_lines(change.sampling).empty(); });
-  // By number, as two entries of one method may be told apart by their labels alone.
+  // An entry is replaced by its number: two entries of one method may differ in nothing but their labels.
   for (std::size_t i = 0; config.match && i < config.methods.size(); ++i) {
     if (config.methods[i].label == config.match->to) plain.match->to = fmt::format("#{}", i);
   }

@@ -1,4 +1,4 @@
-// --set on an experiment.
+// --set key=value on an experiment.
 #include "isobench/experiments/plan/config.h"
 #include "isobench/methods/method.h"
 

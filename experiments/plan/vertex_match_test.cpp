@@ -1,4 +1,4 @@
-#include "isobench/experiments/plan/matching.h"
+#include "isobench/experiments/plan/vertex_match.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ TEST(VertexMatch, FindsTheScaleOfASurfaceAtTheSecondTry) {
 }
 
 TEST(VertexMatch, FollowsNumbersThatDoNotGoWithTheSquare) {
-  // A floor lets the number follow less and less; a method may keep a number of vertices for its corners.
+  // With a floor the number changes less and less; a method may need some vertices for corners, whatever the sizing.
   const auto with_corners = [](double s) { return 4000.0 + 1000.0 / std::pow(s, 1.4); };
   for (const double target : {4100.0, 5500.0, 20000.0, 300000.0}) {
     const VertexMatch match = search(target, with_corners);
@@ -41,7 +41,7 @@ TEST(VertexMatch, FollowsNumbersThatDoNotGoWithTheSquare) {
 }
 
 TEST(VertexMatch, BisectsWhereTheNumberJumps) {
-  // Refines by halves, with small steps in between: what red-green refinement would do.
+  // The numbers of red-green refinement: factors of four, with small steps in between.
   const auto steps = [](double s) {
     return std::round(5000.0 * std::pow(4.0, std::floor(-std::log2(s))) * (1.0 + 0.1 / s));
   };
@@ -60,7 +60,7 @@ TEST(VertexMatch, GivesUpOnAMethodThatDoesNotFollow) {
 TEST(VertexMatch, SaysHowFarOffTheNearestTryWas) {
   // Nothing between 900 and 1100.
   const VertexMatch match = search(1000.0, [](double s) { return s < 1.3 ? 1100.0 : 900.0; });
-  EXPECT_EQ(match.tries(), VertexMatch::largest_tries);
+  EXPECT_EQ(match.tries(), VertexMatch::most_tries);
   EXPECT_EQ(match.reason(), "the nearest of 10 tries was 10.0 % off");
 }
 

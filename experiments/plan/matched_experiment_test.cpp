@@ -1,4 +1,4 @@
-// Matching as its users meet it: whole experiments, and what stands in their records and tables.
+// Whole experiments with match = "vertices": their records and tables.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ finish = 0
 )";
 
 void write_experiment(const TestFolder& folder) {
-  // A sphere of a few voxels: what takes a moment even under a sanitizer.
+  // A sphere of a few voxels takes a moment, even under a sanitizer.
   folder.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
   folder.write("match.toml", experiment);
 }
@@ -59,12 +59,12 @@ TEST(MatchedExperiment, BringsTheOthersToTheNumberOfVertices) {
   EXPECT_EQ(looser.match->vertices, vertices);
   EXPECT_EQ(looser.match->reason, "");
   EXPECT_NEAR(static_cast<double>(looser.measurement->vertices), vertices, 0.02 * vertices);
-  // A looser contraction gives fewer vertices, so its edges had to be asked shorter: by 1.1/1.5, as counts go.
+  // A smaller contraction gives fewer vertices; to make up for it, edges must be shorter by about 1.1/1.5.
   EXPECT_NEAR(looser.match->scale, 1.1 / 1.5, 0.05);
   EXPECT_GE(looser.match->tries, 2);
-  // Measured against the h0 that was asked for, not against the scaled one.
+  // The mesh is measured against the h0 that the config asks for, not against the scaled one.
   EXPECT_NEAR(looser.sizing->largest, particles.sizing->largest, 1e-12);
-  // What is booked is the mesh that was kept, not all tries together: as many sweeps as for a single mesh.
+  // The record is of the mesh that was kept, not of all tries together: it has as many sweeps as one mesh takes.
   EXPECT_EQ(looser.traces.at("energy").size(), particles.traces.at("energy").size());
 
   ASSERT_TRUE(cubes.match.has_value());
