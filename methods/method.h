@@ -18,6 +18,11 @@
 
 namespace isobench {
 
+/// True if nothing is requested. Only a method with Method::ignores_sizing can mesh without a request.
+inline bool is_empty(const SizingRequest& sizing) {
+  return !sizing.epsilon && !sizing.delta && !sizing.edge_length && !sizing.vertices;
+}
+
 /// The task of a method: to mesh a surface with a requested sizing.
 class MeshingTask {
  public:
@@ -45,6 +50,7 @@ struct Method {
   bool deterministic = true;  ///< the same seed gives the same bytes for any number of threads
   /// If determinism depends on the parameters: whether it holds with these. Otherwise null.
   bool (*deterministic_with)(const Parameters&) = nullptr;
+  bool ignores_sizing = false;  ///< triangles are of the lattice's size, whatever sizing is asked for
   ParameterSchema parameters;
   /// Makes the mesh, in the lattice's frame. Throws Skipped, with the reason, if the method cannot do the task.
   TriangleMesh (*mesh)(const MeshingTask&, Monitor&) = nullptr;

@@ -1,53 +1,77 @@
-// Everything that is measured of one mesh, by one call.
+// Everything that is measured of one mesh, by one call: the figures and histograms that the metrics declare.
 #pragma once
 
-#include <string>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
 #include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
 #include "isobench/methods/sizing/sizing_field.h"
-#include "isobench/metrics/distance/distance.h"
-#include "isobench/metrics/distance/distance_from_surface.h"
-#include "isobench/metrics/shape/angles.h"
-#include "isobench/metrics/shape/edge_lengths.h"
-#include "isobench/metrics/shape/radius_ratio.h"
-#include "isobench/metrics/shape/valence.h"
-#include "isobench/metrics/topology/reference_topology.h"
-#include "isobench/metrics/topology/topology.h"
+#include "isobench/metrics/metric.h"
 
 namespace isobench {
 
-/// Raised when the meaning or the value of a figure changes: stored results of another revision are not reused.
+/// Raised when the meaning or the value of a figure changes: stored results of another revision are not reused. A new
+/// figure does not raise it.
 inline constexpr int metrics_revision = 4;
 
-struct Measurement {
-  std::size_t vertices = 0;
-  std::size_t triangles = 0;
-  RadiusRatioFigures radius_ratio;
-  AngleFigures angles;
-  ValenceFigures valence;
-  EdgeLengthFigures edges;
-  TopologyFigures topology;
-  ReferenceTopology reference;
-  DistanceFigures distance;
-  DistanceFromSurface distance_from_surface;
+/// A value or "not measured" for each declared figure. A figure may also be unknown: the program that wrote the record
+/// did not declare it yet. Names that no metric declares are mistakes in the code and throw std::logic_error.
+///
+/// Very many of these are held at once: a figure takes 8 bytes.
+class Measurement {
+ public:
+  /// Nothing is measured.
+  Measurement();
+
+  /// std::nullopt where the figure was not measured.
+  std::optional<double> figure(std::string_view name) const { return at(figure_index(name)); }
+  /// NaN where the figure was not measured: for means and plots, which leave out what is not finite.
+  double number(std::string_view name) const { return values_[figure_index(name)]; }
+  /// A value that is not finite counts as not measured. Throws std::logic_error for a count that is no whole number.
+  void set(std::string_view name, std::optional<double> value) { set_at(figure_index(name), value); }
+
+  /// The same by the place in declared_figures().
+  std::optional<double> at(std::size_t figure) const;
+  double number_at(std::size_t figure) const { return values_[figure]; }
+  void set_at(std::size_t figure, std::optional<double> value);
+
+  /// Whether the program that measured knew the figure.
+  bool is_known(std::size_t figure) const;
+  void set_unknown(std::size_t figure);
+
+  /// Without bins where it was not measured.
+  const Histogram& histogram(std::string_view name) const { return histograms_[histogram_index(name)]; }
+  Histogram& histogram(std::string_view name) { return histograms_[histogram_index(name)]; }
+  const Histogram& histogram_at(std::size_t index) const { return histograms_[index]; }
+  Histogram& histogram_at(std::size_t index) { return histograms_[index]; }
+
+ private:
+  std::vector<double> values_;          ///< one a declared figure; NaN: not measured
+  std::vector<Histogram> histograms_;   ///< one a declared histogram
+  std::vector<std::uint16_t> unknown_;  ///< figures, sorted
 };
 
-/// Measures a mesh (lattice frame) against the surface and the sizing that it was asked for, and adds the arrays that a
-/// reader may want to see to it: "radius_ratio" a triangle; "valence", "h0" and "distance" a vertex.
+/// What a mesh is measured against, as far as it is known. Whatever is missing leaves the figures that need it "not
+/// measured".
+struct MeasuredAgainst {
+  const Isosurface* surface = nullptr;  ///< in whose lattice frame the mesh is
+  const SizingField* sizing = nullptr;
+  int reference_k = default_reference_k;
+};
+
+/// Measures a mesh by every metric that has what it needs, and adds the arrays that a reader may want to see to it:
+/// "radius_ratio" a triangle; "valence", "h0" and "distance" a vertex. Shared parts, such as the mesh's edges, are
+/// computed once.
 /// Throws DataError for a mesh without triangles, indices out of range or coordinates that are not finite or beyond
-/// 1e12 mm.
+/// 1e12 mm; Cancelled.
+Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor);
+
+/// Against a surface and a sizing.
 Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, int reference_k,
                     Monitor& monitor);
-
-/// The definition of each metric in words, for tables and `isobench list metrics`.
-struct MetricDefinition {
-  std::string name;
-  std::string unit;
-  std::string definition;
-};
-const std::vector<MetricDefinition>& metric_definitions();
 
 }  // namespace isobench

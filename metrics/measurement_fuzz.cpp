@@ -50,12 +50,16 @@ bool fuzz_measure(std::string_view bytes) {
     TriangleMesh mesh = mesh_of(bytes);
     Monitor monitor;
     const Measurement m = measure(mesh, small_ball(), SizingField(1.0), 1, monitor);
-    for (const double figure : {m.radius_ratio.min, m.radius_ratio.avg, m.angles.min, m.angles.max, m.distance.mean,
-                                m.distance.max, m.edges.over_h0_max, m.valence.v6_percent}) {
-      require(std::isfinite(figure) && figure >= 0.0, "figures are finite numbers >= 0");
-    }
-    require(m.radius_ratio.min <= 1.0 + 1e-9 && m.angles.max <= 180.0 + 1e-9, "shapes are within their ranges");
-    require(m.triangles == mesh.triangles.size() && m.vertices == mesh.vertices.size(), "all of it was measured");
+    // Whatever was measured is a finite number, by the definition of Measurement.
+    for (const char* name : {"radius_ratio_min", "radius_ratio_avg", "angle_min", "angle_max", "distance_max", "area"})
+      require(m.figure(name).has_value() && m.number(name) >= 0.0, "shapes and distances are numbers >= 0");
+    for (const char* name : {"distance_mean", "edge_over_h0_max", "valence_6_percent"})
+      require(m.figure(name).value_or(0.0) >= 0.0, "figures are >= 0");
+    require(m.number("radius_ratio_min") <= 1.0 + 1e-9 && m.number("angle_max") <= 180.0 + 1e-9,
+            "shapes are within their ranges");
+    require(m.number("triangles") == static_cast<double>(mesh.triangles.size()) &&
+                m.number("vertices") == static_cast<double>(mesh.vertices.size()),
+            "all of it was measured");
     return true;
   });
 }

@@ -4,7 +4,7 @@
 
 #include "isobench/methods/mesh/sample_meshes.h"
 #include "isobench/methods/mesh/self_intersections.h"
-#include "isobench/metrics/topology/reference_topology.h"
+#include "isobench/metrics/reference_topology/reference_topology.h"
 #include "isobench/metrics/topology/topology.h"
 
 namespace isobench {

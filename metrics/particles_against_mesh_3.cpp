@@ -25,7 +25,7 @@
 
 #include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/methods/method.h"
-#include "isobench/metrics/measurement.h"
+#include "isobench/metrics/topology/topology.h"
 
 namespace isobench {
 namespace {
@@ -129,13 +129,14 @@ void print_quality(std::vector<Contestant>& contestants, const Isosurface& surfa
     if (contestant.last.triangles.empty()) continue;
     Monitor monitor;
     const Measurement m = measure(contestant.last, surface, sizing, default_reference_k, monitor);
-    fmt::print("{:28} {:>8} {:>14} {:>14} {:>12.2f} {:>11} {:>12} {:>22} {:>24}{}\n", contestant.name, m.vertices,
-               fmt::format("{:.3f} / {:.4f}", m.radius_ratio.min, m.radius_ratio.avg),
-               fmt::format("{:.1f}–{:.1f}", m.angles.min, m.angles.max), m.valence.v6_percent, m.valence.extreme_count,
-               fmt::format("{} / {}", m.topology.euler, m.topology.components),
-               fmt::format("{:.5f} / {:.4f}", m.distance.mean, m.distance.max),
-               fmt::format("{:.5f} / {:.4f}", m.distance_from_surface.mean, m.distance_from_surface.max),
-               m.topology.closed_manifold() ? "" : "  not a closed manifold");
+    fmt::print(
+        "{:28} {:>8} {:>14} {:>14} {:>12.2f} {:>11} {:>12} {:>22} {:>24}{}\n", contestant.name, m.number("vertices"),
+        fmt::format("{:.3f} / {:.4f}", m.number("radius_ratio_min"), m.number("radius_ratio_avg")),
+        fmt::format("{:.1f}–{:.1f}", m.number("angle_min"), m.number("angle_max")), m.number("valence_6_percent"),
+        m.number("valence_extreme_count"), fmt::format("{} / {}", m.number("euler"), m.number("components")),
+        fmt::format("{:.5f} / {:.4f}", m.number("distance_mean"), m.number("distance_max")),
+        fmt::format("{:.5f} / {:.4f}", m.number("distance_from_surface_mean"), m.number("distance_from_surface_max")),
+        is_closed_manifold(m) ? "" : "  not a closed manifold");
   }
 }
 

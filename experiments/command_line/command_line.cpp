@@ -66,6 +66,18 @@ void add_tables_only(CLI::App& verb, CommandLine& line) {
       ->envname("ISOBENCH_TABLES_ONLY");
 }
 
+void add_surface(CLI::App& verb, SurfaceArguments& surface) {
+  add(verb, "--dataset", surface.dataset, "NAME", "a name from `isobench list datasets`, or the path of a manifest");
+  add(verb, "--volume", surface.volume, "FILE", "a volume: NRRD, MetaImage, NIfTI, VTI or INRIMAGE-4");
+  add(verb, "--isovalue", surface.isovalue, "C", "with --volume: the surface is where the volume has this value");
+  add(verb, "--inside", surface.inside, "SIDE",
+      fmt::format("with --volume: the object lies where values are above or below C (default: {})", surface.inside))
+      ->check(CLI::IsMember({"above", "below"}));
+  add(verb, "--smooth", surface.smooth, "S",
+      fmt::format("with --volume: smooth by a Gaussian with a sigma of S voxels (default: {})", surface.smooth))
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_sizing(CLI::App& verb, SizingRequest& sizing) {
   add(verb, "--epsilon", sizing.epsilon, "E", "adaptive: edges of at most 2 E times the local feature size");
   add(verb, "--delta", sizing.delta, "D", "adaptive: edge lengths change by at most D mm per mm");
@@ -156,16 +168,9 @@ void add_compare(CLI::App& app, CommandLine& line) {
 
 void add_mesh(CLI::App& app, CommandLine& line) {
   MeshArguments& mesh = line.mesh;
-  CLI::App* verb = app.add_subcommand("mesh", "Mesh one dataset or volume file");
-  add(*verb, "--dataset", mesh.dataset, "NAME", "a name from `isobench list datasets`, or the path of a manifest");
-  add(*verb, "--volume", mesh.volume, "FILE", "a volume: NRRD, MetaImage, NIfTI, VTI or INRIMAGE-4");
-  add(*verb, "--isovalue", mesh.isovalue, "C", "with --volume: the surface is where the volume has this value");
-  add(*verb, "--inside", mesh.inside, "SIDE",
-      fmt::format("with --volume: the object lies where values are above or below C (default: {})", mesh.inside))
-      ->check(CLI::IsMember({"above", "below"}));
-  add(*verb, "--smooth", mesh.smooth, "S",
-      fmt::format("with --volume: smooth by a Gaussian with a sigma of S voxels (default: {})", mesh.smooth))
-      ->check(CLI::NonNegativeNumber);
+  CLI::App* verb =
+      app.add_subcommand("mesh", "Mesh one dataset or volume file; without a sizing with --epsilon 0.5 --delta 0.3");
+  add_surface(*verb, mesh.surface);
   add_sizing(*verb, mesh.sizing);
   add(*verb, "--method", mesh.method, "NAME",
       fmt::format("a name from `isobench list methods` (default: {})", mesh.method));
@@ -180,13 +185,16 @@ void add_mesh(CLI::App& app, CommandLine& line) {
 
 void add_measure(CLI::App& app, CommandLine& line) {
   MeasureArguments& measure = line.measure;
-  CLI::App* verb = app.add_subcommand("measure", "Measure a mesh file, or every mesh of a results folder again");
+  CLI::App* verb =
+      app.add_subcommand("measure",
+                         "Measure a mesh file, by itself or against the surface of a dataset or volume; or "
+                         "every mesh of a results folder again");
   verb->add_option("mesh", measure.mesh,
-                   "a mesh of any program, in the world coordinates of the dataset, mm; or a results folder")
+                   "a mesh of any program in mm, with a surface in its world coordinates; or a results folder")
       ->required();
-  add(*verb, "--dataset", measure.dataset, "NAME",
-      "with a mesh file: the dataset whose surface the mesh approximates, a name from `isobench list datasets`");
-  add(*verb, "--epsilon", measure.epsilon, "E", "compare edges with h0, the longest edge that this epsilon allows");
+  add_surface(*verb, measure.surface);
+  add(*verb, "--epsilon", measure.epsilon, "E",
+      "compare edges with h0, the longest edge that this epsilon allows; needs a surface");
   add(*verb, "--floor", measure.floor, "F", fmt::format("h0 is at least F voxels (default: {})", measure.floor));
   add(*verb, "--reference-k", measure.reference_k, "K",
       fmt::format(

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "isobench/experiments/command_line/test_program.h"
 #include "isobench/experiments/terminal/terminal.h"
@@ -33,7 +34,6 @@ TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
   expect(with(mesh_torus, {"--epsilon", "-1", "--delta", "0.3"}), 2, "epsilon");
   expect(with(mesh_torus, {"--epsilon", "nan", "--delta", "0.3"}), 2, "epsilon");
   expect(with(mesh_torus, {"--epsilon", "much", "--delta", "0.3"}), 2, "--epsilon");
-  expect(mesh_torus, 2, "edge");
   expect(with(mesh_torus, {"--edge-length", "2", "--vertices", "100"}), 2, "edge");
   expect(with(mesh_torus, {"--edge-length", "2", "-o", "mesh.stp"}), 2, "unknown ending '.stp'");
   expect(with(mesh_torus, {"--edge-length", "2", "-o", "no/such/mesh.ply"}), 2, "does not exist");
@@ -44,6 +44,10 @@ TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
   expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--method", "partcles"}, 2, "did you mean 'particles'?");
   expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--set", "sweps=3"}, 2, "did you mean 'sweeps'?");
   expect({"mesh", "--volume", "scan.nrrd", "--edge-length", "2"}, 2, "--isovalue");
+  expect({"measure", "mesh.ply", "--epsilon", "0.5"}, 2, "--epsilon needs the surface");
+  expect({"measure", "mesh.ply", "--volume", "scan.nrrd"}, 2, "--isovalue");
+  expect({"measure", "mesh.ply", "--isovalue", "1"}, 2, "--volume");
+  expect({"measure", "mesh.ply", "--dataset", "torus", "--volume", "scan.nrrd"}, 2, "either --dataset or --volume");
   expect({"list", "metohds"}, 2, "did you mean 'methods'?");
 }
 
@@ -160,12 +164,114 @@ TEST_F(ProgramVerbs, MeshLeavesArtefactsInAFolder) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "here" / "medial-axis.vtp"));
 }
 
+TEST_F(ProgramVerbs, MeshWithoutASizingTakesThePapersAndSaysSo) {
+  const std::vector<std::string> ball = {"mesh", "--dataset", "small.toml", "-q"};
+  folder_.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
+  const Outcome unsized = run(ball);
+  ASSERT_EQ(unsized.code, 0) << unsized.err;
+  EXPECT_EQ(unsized.err, "no sizing was given: taking --epsilon 0.5 --delta 0.3\n");
+  const Outcome sized = run(with(ball, {"--epsilon", "0.5", "--delta", "0.3"}));
+  EXPECT_EQ(sized.err, "");
+  EXPECT_EQ(unsized.out.substr(0, unsized.out.find("\ntime")), sized.out.substr(0, sized.out.find("\ntime")));
+  expect(with(ball, {"--epsilon", "0.5"}), 2, "epsilon is given without delta");
+}
+
+TEST_F(ProgramVerbs, AMethodThatIgnoresTheSizingNeedsNone) {
+  for (const char* method : {"marching-cubes", "flying-edges"}) {
+    const Outcome outcome = run({"mesh", "--dataset", "torus", "--method", method, "-q"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out.find("sizing that was asked for"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("edges / h0    not measured: needs a sizing (--epsilon)\n"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("distance      mean "), std::string::npos) << outcome.out;
+  }
+}
+
+// The value of a figure in the JSON that `measure --json` prints, as text.
+std::string json_value(const Outcome& measured, const std::string& figure) {
+  EXPECT_EQ(measured.code, 0) << measured.err;
+  const std::string key = fmt::format("\"{}\": ", figure);
+  const std::size_t at = measured.out.find(key);
+  if (at == std::string::npos) return "absent";
+  const std::size_t start = at + key.size();
+  return measured.out.substr(start, measured.out.find_first_of(",\n", start) - start);
+}
+
 TEST_F(ProgramVerbs, MeasureAsJsonKnowsWhatItWasNotAsked) {
   ASSERT_EQ(run(with(mesh_torus, {"--edge-length", "2", "-o", "torus.ply"})).code, 0);
   const Outcome measured = run({"measure", "torus.ply", "--dataset", "torus", "--json", "-q"});
-  ASSERT_EQ(measured.code, 0) << measured.err;
-  EXPECT_NE(measured.out.find("\"edge_over_h0_max\": null"), std::string::npos) << measured.out;
-  EXPECT_NE(measured.out.find("\"euler\": 0"), std::string::npos) << measured.out;
+  for (const char* figure :
+       {"edge_over_h0_max", "edge_over_h0_exceed_count", "edge_over_own_h0_max", "floor_area_percent"}) {
+    EXPECT_EQ(json_value(measured, figure), "null") << figure;
+  }
+  EXPECT_EQ(json_value(measured, "euler"), "0");
+  EXPECT_EQ(json_value(measured, "euler_reference"), "0");
+  EXPECT_GT(std::stod(json_value(measured, "distance_max")), 0.0);
+  const Outcome sized = run({"measure", "torus.ply", "--dataset", "torus", "--epsilon", "0.5", "--json", "-q"});
+  EXPECT_GT(std::stod(json_value(sized, "edge_over_h0_max")), 0.0);
+}
+
+TEST_F(ProgramVerbs, MeasureOfAMeshAloneGivesWhatNeedsNoSurface) {
+  // A cube of 2 mm, its sides cut into triangles; then the same without one of them.
+  const std::string corners = "0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n";
+  const std::string eleven =
+      "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n";
+  folder_.write("cube.off", "OFF\n8 12 0\n" + corners + eleven + "3 3 4 7\n");
+  folder_.write("open.off", "OFF\n8 11 0\n" + corners + eleven);
+  const Outcome closed = run({"measure", "cube.off", "--json", "-q"});
+  EXPECT_EQ(json_value(closed, "vertices"), "8");
+  EXPECT_EQ(std::stod(json_value(closed, "volume")), 8.0);
+  EXPECT_EQ(std::stod(json_value(closed, "area")), 24.0);
+  EXPECT_EQ(json_value(closed, "euler"), "2");
+  EXPECT_EQ(json_value(closed, "boundary_edges"), "0");
+  EXPECT_EQ(json_value(closed, "self_intersections"), "0");
+  EXPECT_EQ(std::stod(json_value(closed, "angle_max")), 90.0);
+  for (const char* figure : {"distance_mean", "distance_from_surface_max", "euler_reference", "reference_k",
+                             "edge_over_h0_exceed_count", "edge_over_h0_max"}) {
+    EXPECT_EQ(json_value(closed, figure), "null") << figure;
+  }
+  const Outcome open = run({"measure", "open.off", "--json", "-q"});
+  EXPECT_EQ(json_value(open, "volume"), "null");
+  EXPECT_EQ(json_value(open, "boundary_edges"), "3");
+
+  const std::string text = run({"measure", "open.off", "-q"}).out;
+  for (const char* line :
+       {"size          8 vertices, 11 triangles\n",
+        "edges / h0    not measured: needs a surface (--dataset or --volume) and a sizing (--epsilon)\n",
+        "distance      not measured: needs a surface (--dataset or --volume)\n", "area          22 mm²\n",
+        "volume        not measured: the mesh is not closed or its triangles are not oriented alike\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "in:\n" << text;
+  }
+}
+
+TEST_F(ProgramVerbs, MeasureAgainstAVolumeFileTakesTheOptionsOfMesh) {
+  // 100 − |x − (10, 10, 10)|² on 21³ nodes, so that the object above 36 is a ball of radius 8.
+  std::string samples;
+  for (int k = 0; k < 21; ++k) {
+    for (int j = 0; j < 21; ++j) {
+      for (int i = 0; i < 21; ++i) {
+        const auto value = static_cast<float>(100 - (i - 10) * (i - 10) - (j - 10) * (j - 10) - (k - 10) * (k - 10));
+        samples.append(reinterpret_cast<const char*>(&value), sizeof value);
+      }
+    }
+  }
+  folder_.write("ball.nrrd",
+                "NRRD0004\ntype: float\ndimension: 3\nsizes: 21 21 21\nendian: little\nencoding: raw\n\n" + samples);
+  const std::vector<std::string> surface = {"--volume", "ball.nrrd", "--isovalue", "36", "--smooth", "0.5"};
+  const std::vector<std::string> sizing = {"--epsilon", "0.5"};
+  const Outcome meshed = run(with(with({"mesh", "--method", "marching-cubes", "-q", "-o", "ball.stl"}, surface),
+                                  {"--epsilon", "0.5", "--delta", "0.3"}));
+  ASSERT_EQ(meshed.code, 0) << meshed.err;
+  const Outcome same = run(with(with({"measure", "ball.stl", "--json", "-q"}, surface), sizing));
+  EXPECT_LT(std::stod(json_value(same, "distance_vertex_max")), 1e-5) << "STL has coordinates in single precision";
+  EXPECT_EQ(json_value(same, "euler_reference"), "2");
+  EXPECT_GT(std::stod(json_value(same, "edge_over_h0_max")), 0.0);
+  // A ball of radius 7 instead of 8.
+  const Outcome other =
+      run({"measure", "ball.stl", "--volume", "ball.nrrd", "--isovalue", "51", "--inside", "below", "--json", "-q"});
+  EXPECT_GT(std::stod(json_value(other, "distance_mean")), 0.5);
+  EXPECT_EQ(json_value(other, "edge_over_h0_max"), "null");
 }
 
 TEST_F(ProgramVerbs, ListAndVersionSayWhatThereIs) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "isobench/experiments/command_line/test_program.h"
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/tables/sizing_grid.h"
 
 namespace isobench {
@@ -15,10 +16,10 @@ TEST(SweepSlow, ShowsBothTrendsOfThePapersFigure) {
   ASSERT_EQ(grids.size(), 1U);
   ASSERT_EQ(grids[0].cells.size(), 9U);
   const auto of = [&grids](Along along, const Figure& figure) { return trend(grids[0], along, figure); };
-  const Figure triangles = [](const RunRecord& r) { return static_cast<double>(r.measurement->triangles); };
-  const Figure distance = [](const RunRecord& r) { return r.measurement->distance.mean; };
-  const Figure smallest = [](const RunRecord& r) { return r.measurement->radius_ratio.min; };
-  const Figure average = [](const RunRecord& r) { return r.measurement->radius_ratio.avg; };
+  const Figure triangles = figure_of("triangles");
+  const Figure distance = figure_of("distance_mean");
+  const Figure smallest = figure_of("radius_ratio_min");
+  const Figure average = figure_of("radius_ratio_avg");
   // "Smaller values of ε produce more geometrically accurate meshes, while smaller values of δ generate more regular
   // triangulations - smaller values of either parameter inherently increases the overall number of triangles."
   EXPECT_EQ(of(Along::epsilon, distance).falls, 6);

@@ -8,7 +8,7 @@
 #include "isobench/experiments/terminal/terminal.h"
 #include "isobench/foundation/toml.h"
 #include "isobench/methods/method.h"
-#include "isobench/metrics/measurement.h"
+#include "isobench/metrics/metric.h"
 #include "isobench/reports/csv/results_csv.h"
 
 namespace isobench {
@@ -62,10 +62,24 @@ Rows method_rows() {
   return rows;
 }
 
+std::string needs(const Metric& metric) {
+  switch (metric.needs) {
+    case Needs::mesh:
+      return "";
+    case Needs::surface:
+      return " Needs the surface.";
+    case Needs::sizing:
+      return " Needs the surface and a sizing.";
+  }
+  return "";
+}
+
 Rows metric_rows() {
   Rows rows;
-  for (const MetricDefinition& metric : metric_definitions())
-    rows.push_back({metric.name, metric.unit, metric.definition});
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    const FigureDeclaration& figure = declared_figures()[n];
+    rows.push_back({figure.name, figure.unit, full_definition(figure) + needs(metric_of_figure(n))});
+  }
   return rows;
 }
 

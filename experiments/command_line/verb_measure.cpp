@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/runner/remeasure.h"
 #include "isobench/experiments/runner/store.h"
@@ -13,11 +12,10 @@ namespace isobench {
 namespace {
 
 int measure_results(const MeasureArguments& arguments, const CommonArguments& common) {
-  if (!arguments.dataset.empty() || arguments.epsilon || arguments.json) {
-    throw UsageError(
-        arguments.mesh.string() +
-        " is a folder: each run of it is measured against its own dataset and sizing; leave out --dataset, "
-        "--epsilon and --json, or name a mesh file");
+  if (arguments.surface.given() || arguments.epsilon || arguments.json) {
+    throw UsageError(arguments.mesh.string() +
+                     " is a folder: each run in it is measured against its own dataset and sizing. Leave out "
+                     "--dataset, --volume, --epsilon and --json, or name a mesh file");
   }
   Console console(common.verbosity);
   const RemeasureSummary summary = remeasure(arguments.mesh, console);
@@ -31,11 +29,14 @@ int measure_results(const MeasureArguments& arguments, const CommonArguments& co
 }
 
 int measure_file(const MeasureArguments& arguments, const CommonArguments& common) {
-  if (arguments.dataset.empty()) throw UsageError("give --dataset, the surface to measure the mesh against");
+  if (arguments.surface.given()) check(arguments.surface);
   SizingRequest request;
   if (arguments.epsilon) {
+    if (!arguments.surface.given())
+      throw UsageError(
+          "--epsilon needs the surface whose curvature and feature size it is about: give --dataset or --volume");
     request.epsilon = arguments.epsilon;
-    request.delta = 0.3;  // h0, which is all that is measured against, does not depend on it
+    request.delta = 0.3;  // h0 does not depend on it
     request.floor = arguments.floor;
     check(request);
   }
@@ -43,12 +44,15 @@ int measure_file(const MeasureArguments& arguments, const CommonArguments& commo
   Console console(common.verbosity);
   ConsoleSink sink(console);
   Monitor monitor(&sink);
-  const Dataset dataset = load_dataset(arguments.dataset, monitor);
-  mesh = to_local(std::move(mesh), dataset.surface->lattice());
-  const SizingField sizing =
-      arguments.epsilon ? make_sizing_field(*dataset.surface, request, monitor) : SizingField(1.0);
-  Measurement measurement = measure(mesh, *dataset.surface, sizing, arguments.reference_k, monitor);
-  if (!arguments.epsilon) forget_edge_lengths(measurement);
+  Dataset dataset;
+  std::optional<SizingField> sizing;
+  if (arguments.surface.given()) {
+    dataset = load(arguments.surface, monitor);
+    mesh = to_local(std::move(mesh), dataset.surface->lattice());
+    if (arguments.epsilon) sizing.emplace(make_sizing_field(*dataset.surface, request, monitor));
+  }
+  const Measurement measurement =
+      measure(mesh, {dataset.surface.get(), sizing ? &*sizing : nullptr, arguments.reference_k}, monitor);
   console.clear();
   fmt::print("{}", arguments.json ? to_json(measurement) : summary_text(measurement));
   return 0;

@@ -16,15 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_source(const MeshArguments& arguments) {
-  const bool dataset = !arguments.dataset.empty();
-  const bool volume = !arguments.volume.empty();
-  if (dataset == volume) throw UsageError("give either --dataset or --volume");
-  if (volume && !arguments.isovalue) throw UsageError("--volume needs --isovalue, the value of its surface");
-  if (dataset && arguments.isovalue) throw UsageError("--isovalue goes with --volume; a dataset has its own");
-}
-
-// Known before minutes are spent on the mesh that could not be written.
+// Before minutes are spent on a mesh that cannot be written.
 void check_output(const fs::path& output) {
   if (output.empty()) return;
   const std::vector<std::string> endings = {".vtp", ".ply", ".off", ".obj", ".stl"};
@@ -52,21 +44,26 @@ RunRequest request_of(const MeshArguments& arguments) {
     throw UsageError(fmt::format("{} needs --set {}=…, {}", chosen.name, spec.name, spec.description));
   }
   RunRequest request;
-  request.dataset = arguments.dataset;
+  request.dataset = arguments.surface.dataset;
   request.method = chosen.name;
   request.label = chosen.name;
   request.method_revision = chosen.revision;
   request.parameters = parameters.all();
-  request.sizing = arguments.sizing;
   request.seed = arguments.seed;
   return request;
 }
 
-Dataset load(const MeshArguments& arguments, Monitor& monitor) {
-  const Monitor::Stage stage = monitor.stage("prepare");
-  if (!arguments.dataset.empty()) return load_dataset(arguments.dataset, monitor);
-  const Inside inside = arguments.inside == "above" ? Inside::above : Inside::below;
-  return dataset_from_file(arguments.volume, *arguments.isovalue, inside, arguments.smooth, Kernel::bspline, monitor);
+// What a person gets who asks for no sizing.
+SizingRequest sizing_of(const MeshArguments& arguments, const Method& chosen, Console& console) {
+  SizingRequest sizing = arguments.sizing;
+  if (!is_empty(sizing)) {
+    check(sizing);
+  } else if (!chosen.ignores_sizing) {
+    sizing.epsilon = 0.5;
+    sizing.delta = 0.3;
+    console.line("no sizing was given: taking --epsilon 0.5 --delta 0.3");
+  }
+  return sizing;
 }
 
 void write_whole(const TriangleMesh& mesh, const fs::path& output) {
@@ -78,21 +75,21 @@ void write_whole(const TriangleMesh& mesh, const fs::path& output) {
 }  // namespace
 
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
-  check_source(arguments);
+  check(arguments.surface);
   check_output(arguments.output);
   if (!arguments.artefacts.empty() && !fs::is_directory(arguments.artefacts)) {
     throw UsageError("--artefacts " + arguments.artefacts.string() + ": there is no such folder");
   }
-  check(arguments.sizing);
-  const RunRequest request = request_of(arguments);
+  RunRequest request = request_of(arguments);
   Console console(common.verbosity);
+  request.sizing = sizing_of(arguments, method(request.method), console);
   ConsoleSink sink(console);
   Monitor monitor(&sink);
   monitor.keep_artefacts(!arguments.artefacts.empty());
   monitor.keep_files_in(arguments.artefacts);
   RunRecord record;
   record.request = request;
-  const Dataset dataset = load(arguments, monitor);
+  const Dataset dataset = load(arguments.surface, monitor);
   for (const std::string& step : dataset.preparation) console.detail("prepared: " + step);
   try {
     const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record), dataset.surface->lattice());
@@ -104,8 +101,8 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
     fmt::print(stderr, "isobench: {} cannot do this: {}\n", request.method, skipped.what());
     return 1;
   }
-  fmt::print("{} by {}, {}\n{}", dataset.name, request.method, sizing_text(request.sizing),
-             summary_text(*record.measurement));
+  const std::string sizing = is_empty(request.sizing) ? "" : ", " + sizing_text(request.sizing);
+  fmt::print("{} by {}{}\n{}", dataset.name, request.method, sizing, summary_text(*record.measurement));
   fmt::print("time          sizing and method {:.2f} s, peak memory {:.0f} MB\n", monitor.seconds("mesh"),
              record.peak_memory_mb);
   for (const std::string& note : monitor.notes()) fmt::print("note          {}\n", note);

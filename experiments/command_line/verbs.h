@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "isobench/experiments/command_line/surface_arguments.h"
 #include "isobench/experiments/runner/progress.h"
 #include "isobench/methods/sizing/sizing_field.h"
-#include "isobench/metrics/topology/reference_topology.h"
+#include "isobench/metrics/metric.h"
 #include "isobench/reports/record/record.h"
 
 namespace isobench {
@@ -61,12 +62,8 @@ struct CompareArguments {
 int compare_verb(const CompareArguments& arguments, const CommonArguments& common);
 
 struct MeshArguments {
-  std::string dataset;           ///< or:
-  std::filesystem::path volume;  ///< a file, with isovalue, inside, smooth
-  std::optional<double> isovalue;
-  std::string inside = "above";
-  double smooth = 0.0;  ///< Gaussian sigma, voxels
-  SizingRequest sizing;
+  SurfaceArguments surface;
+  SizingRequest sizing;  ///< empty: ε 0.5 and δ 0.3, or nothing for a method that ignores the sizing
   std::string method = "particles";
   std::vector<std::string> set;  ///< key=value
   std::uint64_t seed = 1;
@@ -77,9 +74,9 @@ struct MeshArguments {
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common);
 
 struct MeasureArguments {
-  std::filesystem::path mesh;  ///< a file, or a results folder: all of its meshes again, each as its record says
-  std::string dataset;
-  std::optional<double> epsilon;  ///< without it edges are not compared with h0
+  std::filesystem::path mesh;     ///< a file, or a results folder: all of its meshes again, each as its record says
+  SurfaceArguments surface;       ///< without one, only the figures that need no surface are measured
+  std::optional<double> epsilon;  ///< without it, edges are not compared with h0
   double floor = 0.5;             ///< voxels
   int reference_k = default_reference_k;
   bool json = false;

@@ -10,7 +10,7 @@
 
 #include "isobench/foundation/error.h"
 #include "isobench/methods/parameters.h"
-#include "isobench/metrics/topology/reference_topology.h"
+#include "isobench/metrics/metric.h"
 
 namespace isobench {
 

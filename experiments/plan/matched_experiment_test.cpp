@@ -54,11 +54,11 @@ TEST(MatchedExperiment, BringsTheOthersToTheNumberOfVertices) {
   const RunRecord& cubes = records.at("marching-cubes");
   EXPECT_FALSE(particles.match.has_value());
 
-  const auto vertices = static_cast<double>(particles.measurement->vertices);
+  const auto vertices = particles.measurement->number("vertices");
   ASSERT_TRUE(looser.match.has_value());
   EXPECT_EQ(looser.match->vertices, vertices);
   EXPECT_EQ(looser.match->reason, "");
-  EXPECT_NEAR(static_cast<double>(looser.measurement->vertices), vertices, 0.02 * vertices);
+  EXPECT_NEAR(looser.measurement->number("vertices"), vertices, 0.02 * vertices);
   // A smaller contraction gives fewer vertices; to make up for it, edges must be shorter by about 1.1/1.5.
   EXPECT_NEAR(looser.match->scale, 1.1 / 1.5, 0.05);
   EXPECT_GE(looser.match->tries, 2);

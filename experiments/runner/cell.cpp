@@ -137,9 +137,12 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
   }
   monitor.keep_artefacts(false);  // the sizing below is for the measurement
   const Monitor::Stage stage = monitor.stage("measure");
-  const std::shared_ptr<const SizingField> sizing = task.sizing_field(monitor);
-  record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
-  record.measurement = measure(result, *dataset.surface, *sizing, request.reference_k, monitor);
+  std::shared_ptr<const SizingField> sizing;
+  if (!is_empty(request.sizing)) {
+    sizing = task.sizing_field(monitor);
+    record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
+  }
+  record.measurement = measure(result, {dataset.surface.get(), sizing.get(), request.reference_k}, monitor);
   return result;
 }
 

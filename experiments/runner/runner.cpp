@@ -128,7 +128,7 @@ class Runner {
     if (!fs::exists(path)) return std::nullopt;
     try {
       const RunRecord record = read_record(path);
-      if (record.measurement) return static_cast<double>(record.measurement->vertices);
+      if (record.measurement) return record.measurement->figure("vertices");
     } catch (const DataError&) {  // a damaged record counts as none
     }
     return std::nullopt;

@@ -54,7 +54,7 @@ TEST(Runner, StoresWholeRunsAndDoesThemOnce) {
   const RunRecord record = read_record(run / "run.json");
   EXPECT_EQ(record.status, Status::ok);
   EXPECT_EQ(record.request.run, run.filename());
-  EXPECT_EQ(record.measurement->topology.euler, 2);
+  EXPECT_EQ(record.measurement->number("euler"), 2);
   EXPECT_GT(record.peak_memory_mb, 1.0);
   EXPECT_GT(record.seconds_total, 0.0);
   EXPECT_NE(first.out.find("| sphere"), std::string::npos);

@@ -12,8 +12,8 @@
 #include "isobench/methods/closing/labelled_delaunay.h"
 #include "isobench/methods/cvt/cells.h"
 #include "isobench/methods/lattice/marching_cubes.h"
-#include "isobench/methods/testing/test_requests.h"
 #include "isobench/methods/particles/sampling/seeds.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench::cvt {
 namespace {

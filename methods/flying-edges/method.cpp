@@ -13,6 +13,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace isobench {
@@ -56,9 +57,10 @@ TriangleMesh mesh_of(vtkPolyData& polygons, const Eigen::Vector3d& spacing) {
 }
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
-  monitor.note(
+  const std::string note =
       "flying-edges: meshes the trilinear interpolant of the samples, not the spline's F = c, with triangles of the "
-      "lattice's size; the requested sizing has no effect");
+      "lattice's size";
+  monitor.note(is_empty(task.sizing) ? note : note + "; the requested sizing has no effect");
   vtkNew<vtkFlyingEdges3D> flying_edges;
   flying_edges->SetInputData(image_of(task.surface));
   flying_edges->SetValue(0, 0.0);
@@ -82,6 +84,7 @@ Method method_flying_edges() {
   method.summary =
       "VTK's flying edges (Schroeder, Maynard, Geveci 2015): marching cubes on the trilinear interpolant of the "
       "samples; triangles have the lattice's size, any sizing is ignored";
+  method.ignores_sizing = true;
   method.mesh = mesh;
   return method;
 }

@@ -5,8 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "isobench/metrics/shape/mesh_edges.h"
+#include <limits>
 
 namespace isobench {
 
@@ -23,7 +22,7 @@ struct Distances {
   double max() const { return mm.empty() ? 0.0 : *std::max_element(mm.begin(), mm.end()); }
 };
 
-/// |f|/|∇f| where it means something; no point of the lattice is farther from the surface than the lattice is long.
+/// |f|/|∇f|, but at most the lattice's diagonal: no point of the lattice is farther from the surface.
 double first_order_distance(const Isosurface& surface, const Eigen::Vector3d& x) {
   const Jet jet = surface.value_gradient(x);
   const double farthest = surface.extent().norm();
@@ -31,11 +30,11 @@ double first_order_distance(const Isosurface& surface, const Eigen::Vector3d& x)
   return slope * farthest > std::abs(jet.value) ? std::abs(jet.value) / slope : farthest;
 }
 
-// A step is at most half a voxel: this reaches 20 voxels, farther than any mesh worth the name strays.
+// A step is at most half a voxel, so the steps reach surfaces within 20 voxels.
 constexpr double tolerance = 1e-6;
 constexpr int max_steps = 40;
 
-/// Distances of `count` points, the n-th being point(n).
+/// Distances of the points point(0) to point(count − 1).
 template <class PointAt>
 Distances distances(const Isosurface& surface, std::size_t count, PointAt point) {
   Distances result(count);
@@ -51,7 +50,7 @@ Distances distances(const Isosurface& surface, std::size_t count, PointAt point)
   return result;
 }
 
-/// The vertices that a triangle uses, in order: the others are no part of the surface.
+/// The vertices that a triangle uses, in order. The others are not part of the surface.
 std::vector<std::uint32_t> used_vertices(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
@@ -66,10 +65,9 @@ std::vector<std::uint32_t> used_vertices(const TriangleMesh& mesh) {
 
 }  // namespace
 
-DistanceFigures measure_distance(const TriangleMesh& mesh, const Isosurface& surface,
+DistanceFigures measure_distance(const TriangleMesh& mesh, const MeshEdges& edges, const Isosurface& surface,
                                  std::vector<double>* at_vertices) {
   const auto& x = mesh.vertices;
-  const MeshEdges edges = mesh_edges(mesh);
   const Distances of_vertices = distances(surface, x.size(), [&](std::size_t v) { return x[v]; });
   const Distances of_edges = distances(surface, edges.ends.size(), [&](std::size_t e) {
     return Eigen::Vector3d(0.5 * (x[edges.ends[e][0]] + x[edges.ends[e][1]]));
@@ -99,7 +97,7 @@ DistanceFigures measure_distance(const TriangleMesh& mesh, const Isosurface& sur
     area_sum += area;
     sum += area * mean;
   }
-  figures.mean = area_sum > 0.0 ? sum / area_sum : 0.0;
+  figures.mean = area_sum > 0.0 ? sum / area_sum : std::numeric_limits<double>::quiet_NaN();
   figures.mean_voxels = figures.mean / surface.voxel();
   figures.max_voxels = figures.max / surface.voxel();
   if (at_vertices != nullptr) *at_vertices = of_vertices.mm;

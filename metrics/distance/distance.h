@@ -1,7 +1,7 @@
-// Distance of a mesh to the surface F = c: |f|/|∇f| polished by projection (Newton's steps along the gradient until
-// they reach the surface; the distance is to where they end), at the vertices, edge midpoints and centroids of the
-// triangles. A triangle's mean weighs these by 1/20, 2/15 and 9/20 each (exact where the distance is cubic), the mesh's
-// mean weighs triangles by area. What is nearer than 1e-6 voxel counts as 0.
+// Distance of a mesh to the surface F = c, at the vertices, edge midpoints and centroids of the triangles. Newton's
+// steps along the gradient lead from a point to the surface; the distance is to the place that they reach. A triangle's
+// mean weighs the points by 1/20, 2/15 and 9/20 each, which is exact where the distance is cubic; the mesh's mean
+// weighs triangles by area. Distances below 1e-6 voxel count as 0.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,22 @@
 
 #include "isobench/datasets/isosurface.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
+#include "isobench/metrics/mesh_edges.h"
 
 namespace isobench {
 
 struct DistanceFigures {
-  double mean = 0.0;        ///< mm
+  double mean = 0.0;        ///< mm; NaN where the mesh has no area
   double max = 0.0;         ///< mm
-  double vertex_max = 0.0;  ///< mm, of the triangles' vertices alone: the vertices should lie on the surface
+  double vertex_max = 0.0;  ///< mm, of vertices that have a triangle
   double mean_voxels = 0.0;
   double max_voxels = 0.0;
-  std::size_t unprojected = 0;  ///< sample points whose projection did not converge; |f|/|∇f| is taken there
+  std::size_t unprojected = 0;  ///< points from which Newton's steps did not reach the surface; |f|/|∇f| is taken there
 };
 
-/// Where `at_vertices` is given it receives one distance a vertex, in mm.
+/// If `at_vertices` is given, it receives one distance a vertex, in mm.
 /// Cost: one projection for each vertex, edge and triangle, with all threads.
-DistanceFigures measure_distance(const TriangleMesh& mesh, const Isosurface& surface,
+DistanceFigures measure_distance(const TriangleMesh& mesh, const MeshEdges& edges, const Isosurface& surface,
                                  std::vector<double>* at_vertices = nullptr);
 
 }  // namespace isobench

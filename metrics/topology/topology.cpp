@@ -4,22 +4,21 @@
 
 #include "isobench/foundation/union_find.h"
 #include "isobench/methods/mesh/self_intersections.h"
-#include "isobench/metrics/shape/mesh_edges.h"
 
 namespace isobench {
 
 namespace {
 
-/// Number of triangle 3t + i's corner at vertex `v`.
+/// The corner of a triangle at vertex `v`; the corners of triangle t are 3t, 3t + 1 and 3t + 2.
 std::uint32_t corner_at(const TriangleMesh& mesh, std::uint32_t triangle, std::uint32_t v) {
   const Triangle& t = mesh.triangles[triangle];
   return 3 * triangle + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
 }
 
-/// Joins the triangles, and where it is between two the corners, that meet at each edge; counts the edges by kind.
-std::size_t join_at_edges(const TriangleMesh& mesh, UnionFind& triangles, UnionFind& corners,
-                          TopologyFigures& figures) {
-  const std::vector<HalfEdge> sides = sorted_half_edges(mesh);
+/// Joins the triangles that meet at an edge and, at an edge of two triangles, their corners there. Counts the edges by
+/// kind; returns how many there are.
+std::size_t join_at_edges(const TriangleMesh& mesh, const std::vector<HalfEdge>& sides, UnionFind& triangles,
+                          UnionFind& corners, TopologyFigures& figures) {
   std::size_t edges = 0;
   for (std::size_t begin = 0; begin < sides.size(); ++edges) {
     const std::size_t end = edge_end(sides, begin);
@@ -41,11 +40,11 @@ std::size_t join_at_edges(const TriangleMesh& mesh, UnionFind& triangles, UnionF
 
 }  // namespace
 
-TopologyFigures measure_connectivity(const TriangleMesh& mesh) {
+TopologyFigures measure_connectivity(const TriangleMesh& mesh, const std::vector<HalfEdge>& sides) {
   TopologyFigures figures;
   UnionFind triangles(mesh.triangles.size());
   UnionFind corners(3 * mesh.triangles.size());
-  const std::size_t edges = join_at_edges(mesh, triangles, corners, figures);
+  const std::size_t edges = join_at_edges(mesh, sides, triangles, corners, figures);
 
   // A fan is a set of corners joined over edges of two triangles; an edge of more ends the fans that reach it.
   std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
@@ -65,10 +64,24 @@ TopologyFigures measure_connectivity(const TriangleMesh& mesh) {
   return figures;
 }
 
-TopologyFigures measure_topology(const TriangleMesh& mesh) {
-  TopologyFigures figures = measure_connectivity(mesh);
+TopologyFigures measure_topology(const TriangleMesh& mesh, const std::vector<HalfEdge>& sides) {
+  TopologyFigures figures = measure_connectivity(mesh, sides);
   figures.self_intersections = count_self_intersections(mesh);
   return figures;
+}
+
+TopologyFigures measure_topology(const TriangleMesh& mesh) { return measure_topology(mesh, sorted_half_edges(mesh)); }
+
+TopologyFigures measure_connectivity(const TriangleMesh& mesh) {
+  return measure_connectivity(mesh, sorted_half_edges(mesh));
+}
+
+bool is_closed_manifold(const Measurement& measurement) {
+  double defects = 0.0;
+  for (const char* figure : {"boundary_edges", "nonmanifold_edges", "misoriented_edges", "nonmanifold_vertices"}) {
+    defects += measurement.number(figure);
+  }
+  return defects == 0.0;  // false where one was not measured
 }
 
 }  // namespace isobench

@@ -5,11 +5,14 @@
 #include <numeric>
 
 #include "isobench/methods/mesh/sample_meshes.h"
-#include "isobench/metrics/shape/valence.h"
+#include "isobench/metrics/valence/valence.h"
 
 namespace isobench {
 
 namespace {
+
+std::vector<int> valence_of_each(const TriangleMesh& mesh) { return valences(mesh, mesh_edges(mesh)); }
+ValenceFigures valences_of(const TriangleMesh& mesh) { return summarize_valences(valence_of_each(mesh)); }
 
 using sample_meshes::box;
 using sample_meshes::tetrahedron;
@@ -39,7 +42,7 @@ TEST(Topology, UnusedVerticesDoNotCount) {
     for (std::uint32_t& v : triangle) v += 3;
   }
   EXPECT_EQ(measure_topology(mesh).euler, 2);
-  EXPECT_EQ(measure_valence(mesh).unused_vertices, 3U);
+  EXPECT_EQ(valences_of(mesh).unused_vertices, 3U);
 }
 
 TEST(Topology, TwoTetrahedraSharingAVertex) {
@@ -120,14 +123,14 @@ TEST(Topology, BoxesThatPenetrateEachOther) {
 }
 
 TEST(Valence, CountsEdgesAtVertices) {
-  const ValenceFigures torus = measure_valence(sample_meshes::torus(10));
+  const ValenceFigures torus = valences_of(sample_meshes::torus(10));
   EXPECT_EQ(torus.v6_percent, 100.0);
   EXPECT_EQ(torus.extreme_count, 0U);
   const TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
-  const std::vector<int> valence = valences(mesh);
+  const std::vector<int> valence = valence_of_each(mesh);
   EXPECT_EQ(std::accumulate(valence.begin(), valence.end(), 0), 2 * 18) << "a box of triangles has 18 edges";
   // Three edges of the box at each corner, and the diagonals of its six sides: three at corners 0 and 7, one elsewhere.
-  EXPECT_EQ(measure_valence(mesh).counts, (std::vector<std::size_t>{0, 0, 0, 0, 6, 0, 2}));
+  EXPECT_EQ(valences_of(mesh).counts, (std::vector<std::size_t>{0, 0, 0, 0, 6, 0, 2}));
 }
 
 TEST(Valence, Percentages) {
@@ -145,7 +148,7 @@ TEST(Valence, Percentages) {
 TEST(Valence, AnOpenFan) {
   // The edges at a vertex are counted, not its triangles.
   const std::vector<int> valence =
-      valences(sample_meshes::mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+      valence_of_each(sample_meshes::mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(valence, (std::vector<int>{3, 2, 3, 2}));
 }
 

@@ -33,13 +33,13 @@ TEST(CvtOnVolumesSlow, MeshesBothShellsOfTheSmallSkull) {
     TriangleMesh mesh = method.mesh(task, monitor);
     const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), 1, monitor);
     EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), wanted.vertices, wanted.off * wanted.vertices);
-    EXPECT_GE(found.radius_ratio.avg, wanted.average);
-    EXPECT_GE(found.radius_ratio.min, wanted.least);
-    EXPECT_EQ(found.topology.euler, 0);
-    EXPECT_EQ(found.topology.components, 2U);
-    EXPECT_EQ(found.topology.boundary_edges, 0U);
-    EXPECT_EQ(found.topology.nonmanifold_edges, 0U);
-    EXPECT_EQ(found.topology.self_intersections, 0U);
+    EXPECT_GE(found.number("radius_ratio_avg"), wanted.average);
+    EXPECT_GE(found.number("radius_ratio_min"), wanted.least);
+    EXPECT_EQ(found.number("euler"), 0.0);
+    EXPECT_EQ(found.number("components"), 2.0);
+    EXPECT_EQ(found.number("boundary_edges"), 0.0);
+    EXPECT_EQ(found.number("nonmanifold_edges"), 0.0);
+    EXPECT_EQ(found.number("self_intersections"), 0.0);
   }
 }
 

@@ -19,13 +19,13 @@ struct VolumeCase {
 };
 
 void expect_good_triangles(const Measurement& found) {
-  EXPECT_EQ(found.topology.boundary_edges, 0U);
-  EXPECT_EQ(found.topology.nonmanifold_edges, 0U);
-  EXPECT_EQ(found.topology.nonmanifold_vertices, 0U);
-  EXPECT_EQ(found.topology.self_intersections, 0U);
-  EXPECT_GE(found.angles.min, 37.0);
-  EXPECT_LE(found.angles.max, 88.0);
-  EXPECT_EQ(found.valence.extreme_count, 0U);
+  EXPECT_EQ(found.number("boundary_edges"), 0.0);
+  EXPECT_EQ(found.number("nonmanifold_edges"), 0.0);
+  EXPECT_EQ(found.number("nonmanifold_vertices"), 0.0);
+  EXPECT_EQ(found.number("self_intersections"), 0.0);
+  EXPECT_GE(found.number("angle_min"), 37.0);
+  EXPECT_LE(found.number("angle_max"), 88.0);
+  EXPECT_EQ(found.number("valence_extreme_count"), 0.0);
 }
 
 class OnVolumes : public testing::Test {
@@ -51,14 +51,14 @@ TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
   const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), default_reference_k, monitor);
 
   expect_good_triangles(found);
-  EXPECT_GE(found.radius_ratio.min, 0.84);
-  EXPECT_GE(found.radius_ratio.avg, 0.984);
-  EXPECT_GE(found.valence.v6_percent, 78.0);
-  EXPECT_EQ(found.edges.exceed_count, 0U);
+  EXPECT_GE(found.number("radius_ratio_min"), 0.84);
+  EXPECT_GE(found.number("radius_ratio_avg"), 0.984);
+  EXPECT_GE(found.number("valence_6_percent"), 78.0);
+  EXPECT_EQ(found.number("edge_over_h0_exceed_count"), 0.0);
   // Newton stops at 1e-6 voxel.
-  EXPECT_LE(found.distance.vertex_max, 1e-5 * dataset.surface->voxel());
-  EXPECT_EQ(found.topology.euler, found.reference.euler);
-  EXPECT_EQ(found.topology.components, found.reference.components);
+  EXPECT_LE(found.number("distance_vertex_max"), 1e-5 * dataset.surface->voxel());
+  EXPECT_EQ(found.number("euler"), found.number("euler_reference"));
+  EXPECT_EQ(found.number("components"), found.number("components_reference"));
 }
 
 class UniformParticlesOnVolumesSlow : public OnVolumes {};
@@ -74,14 +74,14 @@ TEST_F(UniformParticlesOnVolumesSlow, ReachWhatNoPeerDoes) {
   const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), 1, monitor);
   expect_good_triangles(found);
   EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 50000.0, 500.0);
-  EXPECT_GE(found.radius_ratio.min, 0.85);
-  EXPECT_GE(found.radius_ratio.avg, 0.99);
-  EXPECT_GE(found.valence.v6_percent, 86.0);
+  EXPECT_GE(found.number("radius_ratio_min"), 0.85);
+  EXPECT_GE(found.number("radius_ratio_avg"), 0.99);
+  EXPECT_GE(found.number("valence_6_percent"), 86.0);
   // What CGAL's Mesh_3 has at this number of vertices (particles_against_mesh_3).
-  EXPECT_LE(found.distance.max, 0.540);
-  EXPECT_LE(found.distance_from_surface.max, 0.425);
-  EXPECT_EQ(found.topology.euler, 0);
-  EXPECT_EQ(found.topology.components, 2U);
+  EXPECT_LE(found.number("distance_max"), 0.540);
+  EXPECT_LE(found.number("distance_from_surface_max"), 0.425);
+  EXPECT_EQ(found.number("euler"), 0.0);
+  EXPECT_EQ(found.number("components"), 2.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Paper, ParticlesOnVolumesSlow,

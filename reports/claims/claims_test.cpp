@@ -42,9 +42,9 @@ Published published_with(const std::string& claim) {
 // A run whose figures of interest are given.
 RunRecord run(const std::string& dataset, const std::string& method, double worst, double extreme = 0.0) {
   RunRecord record = sample_record(dataset, method);
-  record.measurement->radius_ratio.min = worst;
-  record.measurement->valence.lt5_percent = extreme / 4.0;
-  record.measurement->valence.gt7_percent = 3.0 * extreme / 4.0;
+  record.measurement->set("radius_ratio_min", worst);
+  record.measurement->set("valence_lt5_percent", extreme / 4.0);
+  record.measurement->set("valence_gt7_percent", 3.0 * extreme / 4.0);
   return record;
 }
 
@@ -123,11 +123,11 @@ TEST(Claims, EverySeedBearsTheClaimOutAndOpenMeshesAreMarked) {
   std::vector<RunRecord> records = {run("skull", "particles", 0.3), run("skull", "particles", 0.2),
                                     run("skull", "marching-cubes", 0.1)};
   records[1].request.seed = 2;
-  records[1].measurement->topology.boundary_edges = 3;
+  records[1].measurement->set("boundary_edges", 3);
   const ClaimResult held = judge(order, records);
   EXPECT_EQ(held.verdict, Verdict::held);
   EXPECT_EQ(held.findings[0].ours, "particles 0.200–0.300 †, marching-cubes 0.100");
-  records[1].measurement->radius_ratio.min = 0.05;
+  records[1].measurement->set("radius_ratio_min", 0.05);
   EXPECT_EQ(judge(order, records).verdict, Verdict::not_held);
 }
 
@@ -186,7 +186,7 @@ TEST(Claims, ATrendComparesRunsThatDifferInOneParameter) {
   ASSERT_EQ(held.findings.size(), 2U);
   EXPECT_EQ(held.findings[0].data, "box, ε 0.5");
   EXPECT_EQ(held.findings[0].ours, "δ 0.8: 0.420, δ 0.4: 0.460, δ 0.2: 0.480");
-  records[3].measurement->radius_ratio.min = 0.2;  // epsilon 0.25, delta 0.2
+  records[3].measurement->set("radius_ratio_min", 0.2);  // epsilon 0.25, delta 0.2
   const ClaimResult broken = judge(trend, records);
   EXPECT_EQ(broken.summary, "not held on box, ε 0.25");
   EXPECT_EQ(judge(trend, {records[0]}).summary, "not testable here: no two runs differ in delta alone");
@@ -208,7 +208,7 @@ TEST(Claims, ATrendOverSeveralSeedsComparesMedians) {
   const ClaimResult held = judge(trend, records);
   EXPECT_EQ(held.verdict, Verdict::held);
   EXPECT_EQ(held.findings[0].ours, "δ 0.4: 0.500 (0.300–0.600), δ 0.2: 0.550 (0.200–0.700)");
-  records[4].measurement->radius_ratio.min = 0.45;
+  records[4].measurement->set("radius_ratio_min", 0.45);
   EXPECT_EQ(judge(trend, records).verdict, Verdict::not_held);
 }
 

@@ -29,7 +29,7 @@ double relative_difference(double a, double b) {
 
 using Leaves = std::map<std::string, Json>;
 
-// A series of numbers (a trace, a histogram's counts) is one figure: a line for each of its values says no more.
+// A series of numbers (a trace, a histogram's counts) is one figure; a line for each of its values would say no more.
 bool is_leaf(const Json& json) {
   return !json.is_object() && !(json.is_array() && !json.empty() && json.front().is_array());
 }
@@ -43,14 +43,16 @@ void flatten(const Json& json, const std::string& name, Leaves& leaves) {
     flatten(value, name.empty() ? key : fmt::format("{}/{}", name, key), leaves);
 }
 
-// Parts of a request that determine no result.
+// Parts of a request that do not determine the result.
 const std::vector<const char*> asked_besides = {"label", "alone", "artefacts", "limit_minutes", "limit_memory_gb"};
 
-// Figures go by their bare names, as in results.csv; the rest says what it is.
+// Figures have their bare names, as in results.csv; the names of all others begin with what they are.
 Leaves result_of(const Json& record) {
   Leaves leaves;
   for (const char* key : {"status", "reason", "deterministic"}) leaves[key] = record.at(key);
-  if (record.contains("figures")) flatten(record.at("figures"), "", leaves);
+  if (record.contains("figures")) {
+    for (const auto& [name, value] : record.at("figures").items()) leaves[name] = value;
+  }
   static const std::map<std::string, std::string> groups = {{"dataset", "dataset"},  {"sizing", "sizing"},
                                                             {"counters", "counter"}, {"histograms", "histogram"},
                                                             {"traces", "trace"},     {"request", "request"}};
@@ -60,7 +62,7 @@ Leaves result_of(const Json& record) {
     for (const auto& [name, value] : inner) leaves[fmt::format("{} {}", word, name)] = value;
   }
   for (const char* key : asked_besides) leaves.erase("request " + std::string(key));
-  leaves.erase("dataset source");  // where the samples were found; what they are is in the request, as a checksum
+  leaves.erase("dataset source");  // where the samples were found; the request has their checksum
   if (record.contains("mesh_checksum")) leaves["mesh_checksum"] = record.at("mesh_checksum");
   return leaves;
 }
@@ -88,7 +90,7 @@ Difference series_difference(const Json& a, const Json& b) {
       difference.b = fmt::format("[{}] {}", i, leaf_text(b[i]));
     }
     const bool numbers = a[i].is_number() && b[i].is_number();
-    // A place that is a number on one side alone stays the largest.
+    // A number beside something that is no number counts as the largest difference.
     const double here = numbers ? relative_difference(a[i].get<double>(), b[i].get<double>()) : no_number;
     if (std::isnan(here) || here > difference.relative) difference.relative = here;
     if (std::isnan(here)) break;
@@ -107,7 +109,7 @@ std::optional<Difference> difference_of(const Json& a, const Json& b, double tol
   return difference;
 }
 
-// Calls visit(name, a, b) for every name of either side, null standing for "does not have it".
+// Calls visit(name, a, b) for every name of either side, with null for the side that does not have it.
 template <class Visitor>
 void visit_both(const Leaves& a, const Leaves& b, Visitor&& visit) {
   std::set<std::string> names;
@@ -132,14 +134,48 @@ void note_circumstance(const std::string& what, const Json& a, const Json& b, Co
   comparison.circumstances.push_back(change);
 }
 
+// Figures that a record does not know are left out: its program did not measure them yet. Their histograms go with
+// them. Where one side has no figures at all, its status differs, and they are compared.
+void leave_out_unknown(const RunRecord& a, const RunRecord& b, Leaves& leaves_a, Leaves& leaves_b,
+                       Comparison& comparison) {
+  if (!a.measurement || !b.measurement) return;
+  const auto leave_out = [&](const std::string& name) {
+    leaves_a.erase(name);
+    leaves_b.erase(name);
+  };
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    const bool known_in_a = a.measurement->is_known(n);
+    const bool known_in_b = b.measurement->is_known(n);
+    if (known_in_a && known_in_b) continue;
+    leave_out(declared_figures()[n].name);
+    if (!known_in_a && known_in_b) comparison.unknown_in_a.insert(declared_figures()[n].name);
+    if (known_in_a && !known_in_b) comparison.unknown_in_b.insert(declared_figures()[n].name);
+    for (const HistogramDeclaration& histogram : metric_of_figure(n).histograms) {
+      for (const char* part : {"low", "high", "counts"})
+        leave_out(fmt::format("histogram {}/{}", histogram.name, part));
+    }
+  }
+}
+
+// A difference that no tolerance excuses is one of figures that are declared so.
+double tolerance_for(const std::string& name, double tolerance) {
+  const auto& all = declared_figures();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&name](const FigureDeclaration& figure) { return figure.name == name; });
+  return found != all.end() && found->compared == Compared::exactly ? 0.0 : tolerance;
+}
+
 void compare_records(const RunRecord& a, const RunRecord& b, double tolerance, Comparison& comparison) {
   const Json json_a = Json::parse(to_json(a));
   const Json json_b = Json::parse(to_json(b));
   const std::size_t before = comparison.differences.size();
-  visit_both(result_of(json_a), result_of(json_b), [&](const std::string& name, const Json& in_a, const Json& in_b) {
-    // Records of before there was a checksum have none; where there is no mesh, the status says so.
+  Leaves leaves_a = result_of(json_a);
+  Leaves leaves_b = result_of(json_b);
+  leave_out_unknown(a, b, leaves_a, leaves_b, comparison);
+  visit_both(leaves_a, leaves_b, [&](const std::string& name, const Json& in_a, const Json& in_b) {
+    // Old records have no checksum; where there is no mesh, the status says so.
     if (name == "mesh_checksum" && (in_a.is_null() || in_b.is_null())) return;
-    std::optional<Difference> difference = difference_of(in_a, in_b, tolerance);
+    std::optional<Difference> difference = difference_of(in_a, in_b, tolerance_for(name, tolerance));
     if (!difference) return;
     difference->run = a.request.run;
     difference->figure = name;
@@ -169,7 +205,8 @@ bool plans(const Results& results, const std::string& run) {
                      [&run](const RunRequest& request) { return request.run == run; });
 }
 
-// A run's name without the hash at its end: two that differ there alone were asked the same of another code or data.
+// A run's name without the hash at its end. Runs whose names differ only there were asked the same of other code or
+// data.
 std::string stem(const std::string& run) { return run.substr(0, run.rfind('-')); }
 
 std::string request_changes(const RunRequest& a, const RunRequest& b) {
@@ -185,8 +222,8 @@ std::string request_changes(const RunRequest& a, const RunRequest& b) {
   return text;
 }
 
-// Why a run has no counterpart in `there`. `swapped` where its side is the right-hand one: a sentence always names the
-// left one first.
+// Why a run has no counterpart in `there`. `swapped` if the run is of the right-hand side; sentences name the left-hand
+// side first.
 std::string reason_for(const RunRequest& request, const Results& there, bool swapped) {
   const auto changes = [&](const RunRequest& other) {
     return swapped ? request_changes(other, request) : request_changes(request, other);

@@ -1,6 +1,7 @@
 // Two results folders side by side, figure by figure.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,16 +9,16 @@
 
 namespace isobench {
 
-/// One value that is not the same on both sides; "–" where a side does not have it.
+/// One value that is not the same on both sides; "–" stands for a side that does not have it.
 struct Difference {
   std::string run;
   std::string figure;  ///< as in results.csv, or "histogram angle", "trace energy", "counter particles/splits", …
   std::string a;
   std::string b;
-  double relative = 0.0;  ///< |a − b| / max(|a|, |b|); for a series the largest of it; NaN where it says nothing
+  double relative = 0.0;  ///< |a − b| / max(|a|, |b|); the largest of a series; NaN if a side has no number
 };
 
-/// A run that one side alone has.
+/// A run that only one side has.
 struct Unmatched {
   std::string run;
   std::string why;  ///< "not planned", "not done", "differs in method_revision: 3 and 4"
@@ -32,7 +33,7 @@ struct CostPair {
   double memory_mb_b = 0.0;
 };
 
-/// A circumstance that differs in some runs: code, machine, limits, names and notes. None of them is a figure.
+/// A circumstance that differs in some runs: code, machine, limits, names or notes. It is no figure.
 struct CircumstanceChange {
   std::string what;  ///< "commit", "cpu", "threads", …
   std::string a;
@@ -51,20 +52,24 @@ struct Comparison {
   std::vector<std::string> unreadable;
   std::vector<CostPair> costs;
   std::vector<CircumstanceChange> circumstances;
-  std::vector<std::string> not_deterministic;  ///< runs that differ by a method that does not promise the same mesh
+  std::vector<std::string> not_deterministic;  ///< runs that differ and whose method does not promise the same mesh
+  /// Figures that one side's records do not have because they are older, and the other's have. They are not compared.
+  std::set<std::string> unknown_in_a;
+  std::set<std::string> unknown_in_b;
 
-  /// Nothing differs but seconds, memory and circumstances.
+  /// Only seconds, memory and circumstances differ.
   bool same() const { return differences.empty() && only_a.empty() && only_b.empty() && unreadable.empty(); }
 };
 
-/// Compares the runs that have the same name, which covers all that determines a result. Numbers may differ by
-/// `tolerance`, relative to the larger one; 0 asks for the same bits. What is not a number never equals a number.
+/// Compares the runs that have the same name; a name covers everything that determines a result. Numbers may differ by
+/// `tolerance`, relative to the larger one, unless the figure is declared to be compared exactly; 0 asks for the same
+/// bits. A figure that was measured on one side only is a difference; one that is unknown on a side is not.
 Comparison compare(const Results& a, const Results& b, double tolerance = 0.0);
 
 enum class Detail { brief, full };
 
-/// For a person, as Markdown. Where nothing differs it is one sentence, unless Detail::full asks for the tables of
-/// costs and circumstances as well.
+/// For a person, as Markdown. If nothing differs, it is one or two sentences; Detail::full adds the tables of costs and
+/// circumstances.
 std::string comparison_text(const Comparison& comparison, Detail detail = Detail::brief);
 
 }  // namespace isobench

@@ -19,6 +19,18 @@ std::string circumstance_names(const Comparison& comparison) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+// "A has no area, volume: its records are older than these figures. They are not compared.\n"; "" where both sides have
+// all figures.
+std::string older_side(const char* side, const std::set<std::string>& unknown) {
+  if (unknown.empty()) return "";
+  return fmt::format("{} has no {}: its records are older than {}. {} not compared.\n", side, fmt::join(unknown, ", "),
+                     unknown.size() == 1 ? "this figure" : "these figures", unknown.size() == 1 ? "It is" : "They are");
+}
+
+std::string older_sides(const Comparison& comparison) {
+  return older_side("A", comparison.unknown_in_a) + older_side("B", comparison.unknown_in_b);
+}
+
 // The whole verdict in one sentence.
 std::string verdict(const Comparison& comparison) {
   const std::string runs = plural(comparison.matched, "run");
@@ -48,7 +60,7 @@ std::string differences(const Comparison& comparison) {
   }
   std::string text = heading("What differs") + table.text();
   if (!comparison.not_deterministic.empty()) {
-    text += fmt::format("\nNot the same mesh at every run, by their methods' own word: {}.\n",
+    text += fmt::format("\nThe methods of these runs do not promise the same mesh every time: {}.\n",
                         fmt::join(comparison.not_deterministic, ", "));
   }
   return text + "\n";
@@ -87,9 +99,9 @@ std::string circumstances(const Comparison& comparison) {
 }  // namespace
 
 std::string comparison_text(const Comparison& comparison, Detail detail) {
-  if (comparison.same() && detail == Detail::brief) return verdict(comparison);
+  if (comparison.same() && detail == Detail::brief) return verdict(comparison) + older_sides(comparison);
   std::string text = fmt::format("# A: {}, B: {}\n\n", comparison.name_a, comparison.name_b);
-  text += verdict(comparison) + "\n";
+  text += verdict(comparison) + older_sides(comparison) + "\n";
   text += differences(comparison) + missing(comparison) + costs(comparison) + circumstances(comparison);
   text.pop_back();  // each part ends with a line between it and the next
   return text;

@@ -2,64 +2,75 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <set>
 #include <stdexcept>
 
-#include "isobench/metrics/measurement.h"
 #include "isobench/reports/csv/results_csv.h"
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/text/markdown.h"
 
 namespace isobench {
 
 namespace {
 
-// What is no figure of a metric.
 std::vector<CsvColumn> asked_columns() {
   return {
-      {"run", "", "Name of the run and of its folder; its tail is a hash of all that determines the result."},
-      {"dataset", "", "What was meshed: a name of `isobench list datasets`, or the path of a manifest."},
-      {"method", "", "What meshed it: a name of `isobench list methods`."},
-      {"label", "", "Tells apart two entries of one method in one experiment; else the method's name."},
-      {"parameters", "", "The method's own parameters, complete: name=value, joined by semicolons."},
-      {"epsilon", "", "Adaptive sizing: edges up to 2 epsilon times the local feature size; else empty."},
+      {"run", "", "Name of the run and of its folder. It ends in a hash of everything that determines the result."},
+      {"dataset", "", "The data set: a name of `isobench list datasets`, or the path of a manifest."},
+      {"method", "", "The method: a name of `isobench list methods`."},
+      {"label", "", "Name of the method's entry in the experiment; the method's name unless the entry has a label."},
+      {"parameters", "", "All parameters of the method: name=value, joined by semicolons."},
+      {"epsilon", "", "Adaptive sizing: edges are up to 2 epsilon times the local feature size; else empty."},
       {"delta", "", "Adaptive sizing: Lipschitz bound of the sizing field; else empty."},
       {"edge_length", "mm",
-       "Uniform sizing: the edge length asked for or, where a number of vertices was, that which it came to; else "
-       "empty."},
-      {"match_scale", "", "Factor that matching put on the edge lengths asked for; 1 where nothing was matched."},
-      {"seed", "", "Of everything random."},
+       "Uniform sizing: the edge length that was asked for, or that a number of vertices led to; else empty."},
+      {"match_scale", "", "Factor by which matching scaled the edge lengths asked for; 1 without matching."},
+      {"seed", "", "Seed of all random numbers."},
       {"status", "",
        "ok; failed: an error or a crash; timeout: stopped at its limit of minutes; out of memory: stopped at its limit "
-       "of memory, or an allocation failed; skipped: the method cannot do this task, by its own word. Figures and "
-       "costs "
-       "are empty where it is not ok."},
+       "of memory, or an allocation failed; skipped: the method says that it cannot do this task. Figures and costs "
+       "are empty unless it is ok."},
       {"reason", "", "Why the status is not ok; else empty."}};
 }
 
-std::vector<CsvColumn> cost_columns() {
-  return {
-      {"seconds_prepare", "s", "Wall time of reading and preparing the volume."},
-      {"seconds_sizing", "s", "Wall time of the sizing field that the method asked for; 0 where it asked for none."},
-      {"seconds_method", "s", "Wall time of the method without its sizing field."},
-      {"seconds_total", "s",
-       "Sizing and method together: from the prepared volume in memory to the finished mesh, metrics and files "
-       "excluded."},
-      {"peak_memory_mb", "MB",
-       "Largest memory that the run's process, or a program that it ran, had resident up to the finished mesh; 1 MB is "
-       "1,000,000 bytes."},
-      {"repeat", "", "Which of several runs of one cell, made for their seconds, this is; counts from 1."},
-      {"mesh_checksum", "", "Checksum of the finished mesh: the same for meshes that agree bit for bit."},
-      {"match_to", "", "The run whose number of vertices this one was brought to; else empty."},
-      {"match_vertices", "", "That number; else empty."},
-      {"match_reason", "", "Why the number of vertices is not within 2 % of it; empty where it is."},
-      {"host", "", "The machine that it ran on: seconds of different machines do not compare."},
-      {"exclusive", "", "Whether a scheduler gave the whole machine to the run: true or false."}};
+// They stand right of the seconds and memory.
+std::vector<CsvColumn> circumstance_columns() {
+  return {{"repeat", "", "Number of the repeat, counted from 1. Repeats of a cell are made for their seconds."},
+          {"mesh_checksum", "", "Checksum of the finished mesh. Meshes that agree bit for bit have the same."},
+          {"match_to", "", "The run whose number of vertices this run was brought to; else empty."},
+          {"match_vertices", "", "That number of vertices; else empty."},
+          {"match_reason", "", "Why the number of vertices is not within 2 % of it; empty where it is."},
+          {"host", "", "The machine that it ran on. Seconds of different machines do not compare."},
+          {"exclusive", "", "true if a scheduler gave the whole machine to the run, else false."}};
 }
 
-CsvColumn figure_column(const std::string& name) {
-  for (const MetricDefinition& metric : metric_definitions()) {
-    if (metric.name == name) return {metric.name, metric.unit, metric.definition};
+void add(const std::vector<CsvColumn>& more, std::vector<CsvColumn>& columns) {
+  columns.insert(columns.end(), more.begin(), more.end());
+}
+
+CsvColumn column_of(const FigureDeclaration& figure) { return {figure.name, figure.unit, full_definition(figure)}; }
+
+// Those with lowest <= column < highest, sorted by it; equal ones stay in the order of the metrics.
+std::vector<CsvColumn> figure_columns(int lowest, int highest) {
+  std::vector<const FigureDeclaration*> chosen;
+  for (const FigureDeclaration& figure : declared_figures()) {
+    if (figure.column != no_column && figure.column >= lowest && figure.column < highest) chosen.push_back(&figure);
   }
-  throw std::logic_error("no metric defines the column " + name);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const FigureDeclaration* a, const FigureDeclaration* b) { return a->column < b->column; });
+  std::vector<CsvColumn> columns;
+  for (const FigureDeclaration* figure : chosen) columns.push_back(column_of(*figure));
+  return columns;
+}
+
+// A metric may take any name, also one that stands here.
+void check_names(const std::vector<CsvColumn>& columns) {
+  std::set<std::string> names;
+  for (const CsvColumn& column : columns) {
+    if (!names.insert(column.name).second)
+      throw std::logic_error("results.csv has two columns named " + column.name + "; a metric must rename its figure");
+  }
 }
 
 }  // namespace
@@ -67,43 +78,11 @@ CsvColumn figure_column(const std::string& name) {
 const std::vector<CsvColumn>& csv_columns() {
   static const std::vector<CsvColumn> columns = [] {
     std::vector<CsvColumn> all = asked_columns();
-    for (const char* name : {"vertices",
-                             "triangles",
-                             "radius_ratio_min",
-                             "radius_ratio_p01",
-                             "radius_ratio_avg",
-                             "angle_min",
-                             "angle_max",
-                             "valence_lt5_percent",
-                             "valence_5_percent",
-                             "valence_6_percent",
-                             "valence_7_percent",
-                             "valence_gt7_percent",
-                             "valence_extreme_count",
-                             "edge_over_h0_max",
-                             "edge_over_h0_exceed_percent",
-                             "edge_over_h0_exceed_count",
-                             "edge_over_own_h0_max",
-                             "edge_over_own_h0_exceed_percent",
-                             "floor_area_percent",
-                             "components",
-                             "components_reference",
-                             "euler",
-                             "euler_reference",
-                             "reference_k",
-                             "boundary_edges",
-                             "nonmanifold_edges",
-                             "nonmanifold_vertices",
-                             "self_intersections",
-                             "distance_mean",
-                             "distance_max"}) {
-      all.push_back(figure_column(name));
-    }
-    const std::vector<CsvColumn> costs = cost_columns();
-    all.insert(all.end(), costs.begin(), costs.end());
-    // Later figures come last, so that a column once known by its place keeps it.
-    for (const char* name : {"distance_from_surface_mean", "distance_from_surface_max"})
-      all.push_back(figure_column(name));
+    add(figure_columns(std::numeric_limits<int>::min(), cost_columns), all);
+    for (const CostDeclaration& cost : cost_declarations()) all.push_back(column_of(cost.figure));
+    add(circumstance_columns(), all);
+    add(figure_columns(cost_columns, std::numeric_limits<int>::max()), all);
+    check_names(all);
     return all;
   }();
   return columns;
@@ -113,9 +92,8 @@ std::string columns_text() {
   MarkdownTable table({"Column", "Unit", "What stands in it"});
   for (const CsvColumn& column : csv_columns()) table.add({column.name, column.unit, column.definition});
   return "# The columns of results.csv\n\n"
-         "One row a run, in the order of the plan. Numbers are not rounded; an empty cell is a figure that the run "
-         "does "
-         "not have. Percent are 0 to 100.\n\n" +
+         "One row a run, in the order of the plan. Numbers are not rounded. An empty cell is a figure that was not "
+         "measured. Percentages run from 0 to 100.\n\n" +
          table.text();
 }
 

@@ -6,13 +6,13 @@
 #include <map>
 #include <sstream>
 
-#include "isobench/reports/record/figures.h"
+#include "isobench/reports/record/figure_values.h"
 
 namespace isobench {
 
 namespace {
 
-// Shortest text that reads back to the same double.
+// Shortest text that reads back to the same double; whole numbers have no point.
 std::string text(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
 
@@ -57,19 +57,13 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
                                             {"reason", record.reason},
                                             {"reference_k", fmt::format("{}", request.reference_k)}};
   if (record.measurement) {
-    visit_figures(*record.measurement, [&row](const char* name, const auto& value) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-        row[name] = text(value);
-      else
-        row[name] = fmt::format("{}", value);
-    });
-    row["seconds_prepare"] = text(record.seconds_prepare);
-    row["seconds_sizing"] = text(record.seconds_sizing);
-    row["seconds_method"] = text(record.seconds_method);
-    row["seconds_total"] = text(record.seconds_total);
-    row["peak_memory_mb"] = text(record.peak_memory_mb);
+    for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+      const FigureDeclaration& figure = declared_figures()[n];
+      if (figure.column != no_column) row[figure.name] = text(record.measurement->at(n));
+    }
+    for (const CostDeclaration& cost : cost_declarations()) row[cost.figure.name] = text(record.*cost.value);
   }
-  // A request for a number of vertices is uniform too; the length it came to is what is comparable.
+  // A request for a number of vertices is uniform, too: its edge length is the one that compares.
   if (request.sizing.vertices && record.sizing) row["edge_length"] = text(record.sizing->largest);
   return row;
 }

@@ -9,20 +9,21 @@
 
 namespace isobench {
 
-/// A column of results.csv; figures are defined as the metrics define them.
+/// A column of results.csv. Name, unit and definition of a figure are those that its metric declares.
 struct CsvColumn {
   std::string name;
   std::string unit;
   std::string definition;
 };
 
-/// The columns, in order: header, documentation and `isobench list columns` all go by this list.
+/// The columns, in order, for the header, the documentation and `isobench list columns`. Throws std::logic_error where
+/// two have the same name.
 const std::vector<CsvColumn>& csv_columns();
 
-/// What stands in the columns, as a page of Markdown to lie beside results.csv.
+/// A page of Markdown that defines the columns; it is stored beside results.csv.
 std::string columns_text();
 
-/// Header and one row a record; a figure that a run does not have is an empty cell. Numbers read back to the same bits.
+/// Header and one row a record. A figure that was not measured is an empty cell. Numbers read back to the same bits.
 void write_results_csv(std::ostream& file, const std::vector<RunRecord>& records);
 std::string results_csv(const std::vector<RunRecord>& records);
 

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "isobench/foundation/testing/test_text.h"
@@ -49,7 +50,7 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "components_reference,euler,euler_reference,reference_k,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
-            "host,exclusive,distance_from_surface_mean,distance_from_surface_max");
+            "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume");
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {
@@ -93,6 +94,21 @@ TEST(ResultsCsv, EveryFigureOfAFinishedRunIsThere) {
     if (name == "reason" || name == "edge_length" || name == "match_reason") continue;
     EXPECT_NE(value, "") << name;
   }
+}
+
+TEST(ResultsCsv, AFigureThatWasNotMeasuredIsAnEmptyCell) {
+  RunRecord record = sample_record("skull", "particles");
+  record.measurement->set("edge_over_h0_exceed_count", std::nullopt);
+  record.measurement->set_unknown(figure_index("volume"));
+  const std::map<std::string, std::string> values = row(record);
+  EXPECT_EQ(values.at("edge_over_h0_exceed_count"), "");
+  EXPECT_EQ(values.at("volume"), "");
+  EXPECT_EQ(values.at("area"), "0");
+}
+
+TEST(ResultsCsv, NoTwoColumnsHaveOneName) {
+  std::set<std::string> names;
+  for (const CsvColumn& column : csv_columns()) EXPECT_TRUE(names.insert(column.name).second) << column.name;
 }
 
 TEST(ResultsCsv, AFailedRunKeepsItsRow) {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "isobench/metrics/measurement.h"
+#include "isobench/metrics/metric.h"
 
 namespace isobench {
 
 namespace {
 
-// What siunitx reads as a number: "63.275", "< 0.004".
+// Whether siunitx reads the text as a number, as it does "63.275" and "< 0.004".
 bool is_number(const std::string& text) {
   const std::size_t start = text.find_first_not_of("< ");
   if (start == std::string::npos) return false;
@@ -21,13 +21,13 @@ bool is_number(const std::string& text) {
   return *end == '\0' && text.find_first_not_of("0123456789.-+e", start) == std::string::npos;
 }
 
-// How one column of the table is set: words in one column, or figures in several.
+// How a column of the table is set: words take one column of LaTeX, figures may take several.
 struct Layout {
-  std::vector<Print> prints;  // of the figures side by side; empty for words
-  bool spread = false;        // some figure is of several runs that differ
+  std::vector<Print> prints;  // one for each figure of the cell; empty for words
+  bool spread = false;        // some figure differs between its runs
   bool mark = false;
-  bool mixed = false;  // not printed alike from row to row, so no S column can round it
-  bool whole = true;   // all figures are whole numbers, of so many digits at most
+  bool mixed = false;  // rows print it differently, so that no S column can round it
+  bool whole = true;   // all figures are whole numbers
   bool negative = false;
   std::size_t longest = 1;
   std::string unit;
@@ -36,7 +36,7 @@ struct Layout {
   std::size_t width() const { return prints.empty() ? 1 : prints.size() * per_figure() + (mark ? 1 : 0); }
 };
 
-// Exactly the room that whole numbers take; siunitx would keep some for decimals.
+// Finds how much room whole numbers take; without it siunitx would leave room for decimals.
 void measure(double value, Layout& layout) {
   if (!std::isfinite(value)) return;
   layout.whole = layout.whole && value == std::floor(value) && std::abs(value) < 1e9;
@@ -98,7 +98,7 @@ std::string spanning(std::size_t columns, const char* letter, const std::string&
   return columns == 1 ? "{" + text + "}" : fmt::format("\\multicolumn{{{}}}{{{}}}{{{}}}", columns, letter, text);
 }
 
-// A cell's columns; joined by "&" they make its part of the line.
+// The columns of a cell, to be joined by "&".
 using Columns = std::vector<std::string>;
 
 std::string number_cell(double value, const Print& print, const Layout& layout) {
@@ -126,13 +126,13 @@ std::string figures_of(const TableCell& cell, const Layout& layout) {
   return joined(columns);
 }
 
-// Words in the place of figures.
+// A cell of words in a column of figures spans all its columns.
 std::string words_of(const std::string& words, const Layout& layout) {
   if (layout.prints.empty()) return latex_escaped(words);
   return spanning(layout.width(), words == "–" ? "c" : "l", latex_escaped(words));
 }
 
-// Braces keep what was printed from being rounded or filled up to our digits; whole numbers need none.
+// Braces keep siunitx from rounding a published figure or adding digits to it; whole numbers need none.
 std::string as_printed(const std::string& figure, const Print& print, const Layout& layout) {
   const bool rounds = layout.mixed || print.digits != Print::Digits::shortest;
   return rounds ? "{" + latex_escaped(figure) + "}" : figure;
@@ -161,7 +161,7 @@ std::string ours_of(const TableCell& cell, const Layout& layout) {
 
 std::string empty_columns(const Layout& layout) { return joined(Columns(layout.width())); }
 
-// Our line and, where something was published beside it, theirs under it.
+// The line of our figures and, if there are published ones, their line under it.
 std::string lines_of(const TableRow& row, const std::vector<Layout>& layouts, std::size_t label_columns) {
   Columns ours;
   Columns theirs;
@@ -205,7 +205,7 @@ std::string caption_of(const Table& table) {
   return numbered ? table.title.substr(colon + 2) : table.title;
 }
 
-// Reasons are too long for a column; they are said under the table.
+// Reasons are too long for a column; they stand under the table.
 std::string reasons_of(const Table& table) {
   std::string text;
   for (const TableRow& row : table.rows) {
@@ -224,11 +224,9 @@ std::string notes_of(const Table& table) {
   std::string text = reasons_of(table);
   for (const std::string& remark : table.remarks) text += "\\par " + latex_escaped(remark) + "\n";
   for (const std::string& name : table.definitions) {
-    for (const MetricDefinition& metric : metric_definitions()) {
-      if (metric.name != name) continue;
-      const std::string unit = metric.unit.empty() ? "" : " [" + metric.unit + "]";
-      text += "\\par \\texttt{" + latex_escaped(name) + "}" + latex_escaped(unit + ": " + metric.definition) + "\n";
-    }
+    const FigureDeclaration& figure = declared_figure(name);
+    const std::string unit = figure.unit.empty() ? "" : " [" + figure.unit + "]";
+    text += "\\par \\texttt{" + latex_escaped(name) + "}" + latex_escaped(unit + ": " + full_definition(figure)) + "\n";
   }
   return table.source.empty() ? text : text + "\\par " + latex_escaped(table.source) + "\n";
 }

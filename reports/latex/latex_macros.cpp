@@ -17,7 +17,7 @@ namespace isobench {
 
 namespace {
 
-// A word for each character that TeX's names do not take but ours may differ in.
+// Characters that may tell two names apart, but that TeX's names cannot have, become words.
 std::string spelled(const std::string& text) {
   static const std::array<const char*, 10> digits = {"Zero", "One", "Two",   "Three", "Four",
                                                      "Five", "Six", "Seven", "Eight", "Nine"};
@@ -44,7 +44,7 @@ class Macros {
  public:
   void add(const std::string& name, double value) {
     std::string unused = name;
-    // Two labels may differ in nothing but what a name cannot hold.
+    // Two labels may differ only in characters that a macro name cannot have.
     while (!names_.insert(unused).second) unused += "Again";
     text_ += fmt::format("\\newcommand{{\\{}}}{{{}}}\n", unused, value_text(value));
   }

@@ -22,7 +22,7 @@ Results results_for_latex() {
   results.title = "A test of 100 % & more_";
   results.records = {sample_record("pelvis", "particles"), sample_record("pelvis", "marching-cubes"),
                      sample_record("skull", "particles"), sample_record("skull", "marching-cubes")};
-  results.records[2].measurement->topology.nonmanifold_vertices = 2;
+  results.records[2].measurement->set("nonmanifold_vertices", 2);
   results.records[3].status = Status::timeout;
   results.records[3].reason = "not finished after 20 minutes, at 50 %";
   results.records[3].measurement.reset();
@@ -34,7 +34,7 @@ Results with_seeds() {
   Results results = results_for_latex();
   results.records.push_back(results.records[0]);
   results.records.back().request.seed = 2;
-  results.records.back().measurement->radius_ratio.min = 0.25;
+  results.records.back().measurement->set("radius_ratio_min", 0.25);
   return results;
 }
 
@@ -46,7 +46,7 @@ Results with_grid() {
       results.records.push_back(sample_record("box", "particles"));
       results.records.back().request.sizing.epsilon = epsilon;
       results.records.back().request.sizing.delta = delta;
-      results.records.back().measurement->triangles = static_cast<std::size_t>(1000.0 / epsilon / delta);
+      results.records.back().measurement->set("triangles", static_cast<std::size_t>(1000.0 / epsilon / delta));
     }
   }
   return results;
@@ -166,7 +166,7 @@ TEST(Latex, AFigureHasAMacro) {
   EXPECT_EQ(macro_name({"skull-small", "particles-2007, ε 0.5"}),
             "SkullSmallParticlesTwoZeroZeroSevenEpsilonZeroPointFive");
   Results results = with_seeds();
-  results.records[1].measurement->edges.over_h0_max = std::numeric_limits<double>::quiet_NaN();
+  results.records[1].measurement->set("edge_over_h0_max", std::numeric_limits<double>::quiet_NaN());
   const std::string macros = latex_macros(results);
   for (const char* line : {"\\newcommand{\\isobenchSkullParticlesRadiusRatioMin}{0.30000000000000004}\n",
                            "\\newcommand{\\isobenchPelvisParticlesRadiusRatioMinSmallest}{0.25}\n",

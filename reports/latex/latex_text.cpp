@@ -28,6 +28,8 @@ const std::map<std::string, std::string>& replacements() {
                                                          {"×", "$\\times$"},
                                                          {"·", "$\\cdot$"},
                                                          {"°", "$^\\circ$"},
+                                                         {"²", "$^2$"},
+                                                         {"³", "$^3$"},
                                                          {"†", "$^\\dagger$"},
                                                          {"‡", "$^\\ddagger$"},
                                                          {"≥", "$\\ge$"},

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "isobench/metrics/measurement.h"
+#include "isobench/metrics/metric.h"
 
 namespace isobench {
 
@@ -42,12 +42,10 @@ std::string cell_html(const TableCell& cell, bool label) {
 std::string definitions_html(const Table& table) {
   std::string text;
   for (const std::string& name : table.definitions) {
-    for (const MetricDefinition& metric : metric_definitions()) {
-      if (metric.name != name) continue;
-      text += fmt::format("<li><code>{}</code>{}: {}</li>\n", metric.name,
-                          metric.unit.empty() ? "" : " [" + html_escaped(metric.unit) + "]",
-                          html_escaped(metric.definition));
-    }
+    const FigureDeclaration& figure = declared_figure(name);
+    text += fmt::format("<li><code>{}</code>{}: {}</li>\n", name,
+                        figure.unit.empty() ? "" : " [" + html_escaped(figure.unit) + "]",
+                        html_escaped(full_definition(figure)));
   }
   return text.empty() ? ""
                       : "<details><summary>Definitions of the figures</summary>\n<ul>\n" + text + "</ul></details>\n";

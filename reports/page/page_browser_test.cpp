@@ -40,10 +40,10 @@ std::filesystem::path made_report(const TestFolder& folder) {
   std::vector<RunRequest> plan;
   for (const std::string& method : {std::string("ours"), std::string("theirs")}) {
     RunRecord record = sample_record("box", method);
-    record.measurement->radius_ratio.min = method == "ours" ? 0.75 : 0.5;
+    record.measurement->set("radius_ratio_min", method == "ours" ? 0.75 : 0.5);
     const TriangleMesh mesh = sample_meshes::torus(method == "ours" ? 24 : 80);
     record.mesh_checksum = checksum(mesh);
-    record.measurement->triangles = mesh.triangles.size();
+    record.measurement->set("triangles", mesh.triangles.size());
     std::filesystem::create_directories(folder.path() / record.request.run);
     write_mesh(mesh, folder.path() / record.request.run / "mesh.vtp");
     write_record(record, folder.path() / record.request.run / "run.json");

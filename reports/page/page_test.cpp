@@ -22,7 +22,7 @@ Results results_for_page() {
   results.title = "A <test> & more";
   results.records = {sample_record("pelvis", "ours"), sample_record("pelvis", "theirs"), sample_record("skull", "ours"),
                      sample_record("skull", "theirs")};
-  results.records[1].measurement->radius_ratio.min = 0.5;
+  results.records[1].measurement->set("radius_ratio_min", 0.5);
   results.records[3].status = Status::timeout;
   results.records[3].reason = "not finished after 20 minutes";
   results.records[3].measurement.reset();
@@ -95,14 +95,15 @@ TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
 
 TEST(Page, NamesTheBestWithItsFlaws) {
   Results results = results_for_page();
-  results.records[1].measurement->topology.boundary_edges = 2;
+  results.records[1].measurement->set("boundary_edges", 2);
   const RunGrid runs = arrange_runs(results);
   const Question& worst = questions().front();
   ASSERT_EQ(worst.figure, "radius_ratio_min");
   EXPECT_EQ(best(worst, runs, "pelvis").text, "theirs †: 0.500");
   EXPECT_EQ(best(worst, runs, "skull").names, (std::vector<std::string>{"ours"}));
-  // Values that look the same when printed count as equal.
-  results.records[1].measurement->radius_ratio.min = results.records[0].measurement->radius_ratio.min * 1.000001;
+  // What prints alike is alike.
+  results.records[1].measurement->set("radius_ratio_min",
+                                      results.records[0].measurement->number("radius_ratio_min") * 1.000001);
   EXPECT_EQ(best(worst, arrange_runs(results), "pelvis").names.size(), 2U);
 }
 

@@ -9,7 +9,7 @@
 #include "isobench/foundation/error.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/sizing/medial_axis/point_tree.h"
-#include "isobench/metrics/shape/radius_ratio.h"
+#include "isobench/metrics/radius_ratio/radius_ratio.h"
 #include "isobench/reports/pictures/cameras.h"
 #include "isobench/reports/pictures/pictures.h"
 #include "isobench/reports/pictures/turnable.h"

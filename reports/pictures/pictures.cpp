@@ -82,8 +82,8 @@ bool all_there(const PictureGroup& group, const fs::path& folder) {
 
 std::string caption_of(const RunRecord& run, const std::string& shot) {
   if (shot == shots::closer) return "close up";
-  if (shot == shots::whole) return fmt::format("{} triangles", run.measurement->triangles);
-  if (shot == shots::worst) return "radius ratio " + significant(run.measurement->radius_ratio.min, 3);
+  if (shot == shots::whole) return fmt::format("{} triangles", run.measurement->number("triangles"));
+  if (shot == shots::worst) return "radius ratio " + significant(run.measurement->number("radius_ratio_min"), 3);
   if (shot == shots::medial_axis)
     return "the medial axis inside the surface, coloured by its distance to the surface, mm";
   if (shot == shots::initial_sizing) return "h0, the longest edge that the sampling theory allows, mm";
@@ -127,7 +127,8 @@ void list_others(const PictureGroup& group, const fs::path& folder, Pictures& pi
       const std::string file = group.file(run, name, "mesh");
       if (!fs::exists(folder / file)) continue;
       pictures.turnable.push_back({file, group.dataset, group.names[n], run.request.run,
-                                   name == std::string(PictureGroup::turn_worst), run.measurement->triangles});
+                                   name == std::string(PictureGroup::turn_worst),
+                                   static_cast<std::size_t>(run.measurement->number("triangles"))});
     }
     const fs::path counts = folder / group.file(run, PictureGroup::over_h, "txt");
     if (!fs::exists(counts)) continue;
@@ -212,7 +213,7 @@ std::vector<std::string> files_of(const PictureGroup& group, const RunRecord& ru
   }
   if (group.grid) return files;
   files.push_back(group.file(run, PictureGroup::turn, "mesh"));
-  if (run.measurement->triangles > group.turnable_triangles)
+  if (run.measurement->number("triangles") > static_cast<double>(group.turnable_triangles))
     files.push_back(group.file(run, PictureGroup::turn_worst, "mesh"));
   if (kept(folder, run, "sizing.vtp")) files.push_back(group.file(run, PictureGroup::over_h, "txt"));
   return files;

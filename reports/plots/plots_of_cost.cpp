@@ -5,6 +5,7 @@
 #include <set>
 
 #include "isobench/reports/plots/plots.h"
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/tables/sizing_grid.h"
 
@@ -50,7 +51,7 @@ std::string timing_note(const RunGrid& runs) {
   return remark.empty() ? "" : " " + remark;
 }
 
-double vertices_of(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
+double vertices_of(const RunRecord& run) { return run.measurement->number("vertices"); }
 
 // The runs that a scatter plot shows. A plot of seconds shows only runs that were timed alike.
 Runs plotted_runs(const RunGrid& runs, const Variant& variant, const std::string& dataset, bool timed) {
@@ -199,12 +200,9 @@ std::vector<Plot> stage_plots(const RunGrid& runs) {
 
 std::vector<Plot> size_plots(const RunGrid& runs) {
   std::vector<Plot> plots;
-  plots.push_back(over_vertices(runs, "radius-ratio-min", "smallest radius ratio",
-                                [](const RunRecord& run) { return run.measurement->radius_ratio.min; }));
-  plots.push_back(over_vertices(runs, "radius-ratio-avg", "average radius ratio",
-                                [](const RunRecord& run) { return run.measurement->radius_ratio.avg; }));
-  plots.push_back(over_vertices(
-      runs, "seconds", "seconds", [](const RunRecord& run) { return run.seconds_total; }, true));
+  plots.push_back(over_vertices(runs, "radius-ratio-min", "smallest radius ratio", figure_of("radius_ratio_min")));
+  plots.push_back(over_vertices(runs, "radius-ratio-avg", "average radius ratio", figure_of("radius_ratio_avg")));
+  plots.push_back(over_vertices(runs, "seconds", "seconds", figure_of("seconds_total"), true));
   plots.back().log_y = true;
   std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
   return plots;
@@ -213,13 +211,10 @@ std::vector<Plot> size_plots(const RunGrid& runs) {
 std::vector<Plot> sizing_plots(const Results& results) {
   std::vector<Plot> plots;
   for (const SizingGrid& grid : sizing_grids(results)) {
-    plots.push_back(grid_plot(grid, "radius-ratio-min", "smallest radius ratio",
-                              [](const RunRecord& run) { return run.measurement->radius_ratio.min; }));
-    plots.push_back(grid_plot(grid, "radius-ratio-avg", "average radius ratio",
-                              [](const RunRecord& run) { return run.measurement->radius_ratio.avg; }));
+    plots.push_back(grid_plot(grid, "radius-ratio-min", "smallest radius ratio", figure_of("radius_ratio_min")));
+    plots.push_back(grid_plot(grid, "radius-ratio-avg", "average radius ratio", figure_of("radius_ratio_avg")));
     plots.push_back(grid_plot(grid, "vertices", "vertices", vertices_of));
-    plots.push_back(grid_plot(grid, "distance", "mean distance to the surface, mm",
-                              [](const RunRecord& run) { return run.measurement->distance.mean; }));
+    plots.push_back(grid_plot(grid, "distance", "mean distance to the surface, mm", figure_of("distance_mean")));
   }
   std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
   return plots;

@@ -11,13 +11,11 @@ namespace isobench {
 
 namespace {
 
-using HistogramOf = const Histogram& (*)(const Measurement&);
-
-// The histograms of several runs, added bin by bin; without bins if their numbers of bins differ.
-Histogram sum(const Runs& runs, HistogramOf histogram_of) {
+// The runs of one entry together, bin by bin; without bins where they do not fit together.
+Histogram sum(const Runs& runs, const std::string& histogram) {
   Histogram all;
   for (const RunRecord* run : counted_runs(runs)) {
-    const Histogram& next = histogram_of(*run->measurement);
+    const Histogram& next = run->measurement->histogram(histogram);
     if (all.counts.empty()) {
       all = next;
       continue;
@@ -44,8 +42,8 @@ Series series_of(const Histogram& histogram, const std::string& name, std::size_
   return series;
 }
 
-// One plot for each data set, with all methods in it. `shared` has the words that are the same for all of them.
-std::vector<Plot> histogram_plots(const RunGrid& runs, const Plot& shared, HistogramOf histogram_of) {
+// One plot a dataset, all methods over each other; `plot` has what they share.
+std::vector<Plot> histogram_plots(const RunGrid& runs, const Plot& shared, const std::string& histogram) {
   std::vector<Plot> plots;
   for (const std::string& dataset : runs.datasets) {
     Plot plot = shared;
@@ -55,7 +53,7 @@ std::vector<Plot> histogram_plots(const RunGrid& runs, const Plot& shared, Histo
     plot.marks = Marks::steps;
     for (std::size_t n = 0; n < runs.variants.size(); ++n) {
       const Variant& variant = runs.variants[n];
-      Series series = series_of(sum(find_runs(variant, dataset), histogram_of), variant.name, n);
+      Series series = series_of(sum(find_runs(variant, dataset), histogram), variant.name, n);
       if (!series.x.empty()) plot.series.push_back(std::move(series));
     }
     if (!plot.empty()) plots.push_back(std::move(plot));
@@ -75,7 +73,7 @@ std::vector<Plot> radius_ratio_plots(const RunGrid& runs) {
   plot.x_label = "radius ratio";
   plot.y_label = "% of the triangles in each bin of 0.01";
   plot.x_high = 1.0;
-  return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.radius_ratio.histogram; });
+  return histogram_plots(runs, plot, "radius_ratio");
 }
 
 std::vector<Plot> edge_length_plots(const RunGrid& runs) {
@@ -88,7 +86,7 @@ std::vector<Plot> edge_length_plots(const RunGrid& runs) {
   plot.x_label = "edge length / h0";
   plot.y_label = "% of the edges in each bin of 0.01";
   plot.x_high = 2.0;
-  return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.edges.histogram; });
+  return histogram_plots(runs, plot, "edge_over_h0");
 }
 
 std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
@@ -139,7 +137,7 @@ std::vector<Plot> angle_plots(const RunGrid& runs) {
   plot.x_label = "angle, degrees";
   plot.y_label = "% of the angles in each degree";
   plot.x_high = 180.0;
-  return histogram_plots(runs, plot, [](const Measurement& m) -> const Histogram& { return m.angles.histogram; });
+  return histogram_plots(runs, plot, "angle");
 }
 
 std::vector<Plot> valence_plots(const RunGrid& runs) {
@@ -161,7 +159,7 @@ std::vector<Plot> valence_plots(const RunGrid& runs) {
       Series series{runs.variants[n].name, n, {}, std::vector<double>(plot.categories.size(), 0.0)};
       std::size_t total = 0;
       for (const RunRecord* run : counted_runs(find_runs(runs.variants[n], dataset))) {
-        const std::vector<std::size_t>& counts = run->measurement->valence.counts;
+        const std::vector<std::uint32_t>& counts = run->measurement->histogram("valence").counts;
         for (std::size_t v = 0; v < counts.size(); ++v) {
           series.y[std::clamp(v, lowest, highest) - lowest] += static_cast<double>(counts[v]);
           total += counts[v];

@@ -22,8 +22,8 @@ Results results_for_plots() {
   results.title = "A test";
   results.records = {sample_record("pelvis", "ours"), sample_record("pelvis", "theirs"), sample_record("skull", "ours"),
                      sample_record("skull", "theirs")};
-  results.records[1].measurement->radius_ratio.histogram.add(0.75);
-  results.records[1].measurement->radius_ratio.histogram.add(0.751);
+  results.records[1].measurement->histogram("radius_ratio").add(0.75);
+  results.records[1].measurement->histogram("radius_ratio").add(0.751);
   results.records[3].status = Status::timeout;
   results.records[3].measurement.reset();
   return results;
@@ -59,10 +59,10 @@ TEST(Plots, RunsOfSeveralSeedsAreOneSeries) {
   Results results;
   results.records = {sample_record("skull", "ours"), sample_record("skull", "ours"), sample_record("skull", "ours")};
   for (std::size_t n = 0; n < 3; ++n) results.records[n].request.seed = n + 1;
-  results.records[1].measurement->radius_ratio.histogram.add(0.75);
-  // A mesh that is not closed does not count beside closed ones.
-  results.records[2].measurement->topology.boundary_edges = 3;
-  results.records[2].measurement->radius_ratio.histogram.add(0.05);
+  results.records[1].measurement->histogram("radius_ratio").add(0.75);
+  // A mesh that is not closed stays out while there are others.
+  results.records[2].measurement->set("boundary_edges", 3);
+  results.records[2].measurement->histogram("radius_ratio").add(0.05);
   const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
   ASSERT_EQ(plots.size(), 1U);
   ASSERT_EQ(plots[0].series.size(), 1U);
@@ -72,7 +72,7 @@ TEST(Plots, RunsOfSeveralSeedsAreOneSeries) {
 
 TEST(Plots, ValencesBeyondTheEndsAreInTheOutermostBars) {
   Results results = results_for_plots();
-  results.records[0].measurement->valence.counts = {0, 1, 0, 1, 0, 0, 4, 0, 0, 0, 0, 0, 2};
+  results.records[0].measurement->histogram("valence").counts = {0, 1, 0, 1, 0, 0, 4, 0, 0, 0, 0, 0, 2};
   const Plot plot = valence_plots(arrange_runs(results)).front();
   EXPECT_EQ(plot.categories.front(), "≤ 3");
   EXPECT_EQ(plot.categories.back(), "≥ 10");
@@ -147,7 +147,7 @@ TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {
   const auto written = std::filesystem::last_write_time(first);
   draw(all_plots(results), folder.path());
   EXPECT_EQ(std::filesystem::last_write_time(first), written);
-  results.records[0].measurement->radius_ratio.histogram.add(0.5);
+  results.records[0].measurement->histogram("radius_ratio").add(0.5);
   draw(all_plots(results), folder.path());
   EXPECT_NE(read_text(first), before);
 }

@@ -1,4 +1,4 @@
-// What run.json and plan.json share; for this folder's two JSON files alone.
+// Conversions that run.json and plan.json share.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace isobench {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no word for a number that is not finite.
+// JSON cannot say a number that is not finite.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 inline void read(const Json& json, double& value) {
@@ -52,7 +52,7 @@ inline std::optional<double> optional_number(const Json& json) {
 // Notes and reasons may quote what is no UTF-8, for which the library would throw.
 inline std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-// Runs `body`, turning whatever the JSON library has to say into one sentence about `origin`.
+// Runs `body`; an error of the JSON library becomes one sentence about `origin`.
 template <class Body>
 auto located(const std::string& origin, const char* what, Body&& body) {
   try {

@@ -1,4 +1,4 @@
-// Numbers by name, of which very many can be held.
+// Numbers by name, stored compactly because very many are held at once.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace isobench {
 
-/// Numbers by name, in the order of the names, made at once from a map. Runs of one method have the same names, which
-/// take ten times what the numbers do: they can be held together.
+/// Numbers by name, in the order of the names, made from a map. Names take ten times the memory of the numbers, and
+/// runs of one method have the same names: share_names() stores them once.
 class NamedNumbers {
  public:
   using Names = std::vector<std::string>;
@@ -50,7 +50,7 @@ class NamedNumbers {
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, values_.size()}; }
 
-  /// Holds its names together with others that have the same.
+  /// Takes the pool's copy of these names.
   void share_names(SharedPool<Names>& pool) { names_ = pool.first_of(names_); }
 
  private:

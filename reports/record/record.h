@@ -23,8 +23,8 @@ namespace isobench {
 
 using ParameterValues = std::map<std::string, ParameterValue>;
 
-/// What one run was asked: a cell of an experiment's plan. All but label, limits, `alone`, `artefacts` and
-/// `aside` determines its name.
+/// What a run was asked to do: a cell of an experiment's plan. Everything except label, limits, `alone`, `artefacts`
+/// and `aside` determines its name.
 struct RunRequest {
   std::string run;  ///< name of its folder, e.g. "skull-particles-e0.5-d0.3-s1-1f2a9c3e"
   std::string dataset;
@@ -32,14 +32,14 @@ struct RunRequest {
   std::string method;
   int method_revision = 1;
   std::string label;                        ///< tells apart two entries of one method
-  SharedValue<ParameterValues> parameters;  ///< complete: every parameter of the method
+  SharedValue<ParameterValues> parameters;  ///< every parameter of the method
   SizingRequest sizing;
   std::string match_to;  ///< the run whose number of vertices this one is brought to; "" where none is
   std::uint64_t seed = 1;
-  int repeat = 1;                         ///< which of several runs of one cell, for their seconds
-  bool alone = false;                     ///< its seconds count: nothing else of its experiment runs beside it
-  bool artefacts = false;                 ///< leave the medial axis, the sizing and the particles behind, too
-  bool aside = false;                     ///< for a figure of its own: not in the tables that compare
+  int repeat = 1;          ///< number of the repeat; repeats are made for their seconds
+  bool alone = false;      ///< nothing else of its experiment runs at the same time, so that its seconds count
+  bool artefacts = false;  ///< also store the medial axis, the sizing and the particles
+  bool aside = false;      ///< for a plot of its own; the tables that compare leave it out
   int reference_k = default_reference_k;  ///< refinement at which the reference topology is counted
   int metrics_revision = 1;
   std::optional<double> limit_minutes;
@@ -51,7 +51,7 @@ enum class Status {
   failed,         ///< an error or a crash
   timeout,        ///< stopped at its limit of minutes
   out_of_memory,  ///< stopped at its limit of memory, or an allocation failed
-  skipped,        ///< the method cannot do this task, by its own word
+  skipped,        ///< the method says that it cannot do this task
 };
 /// "ok", "failed", "timeout", "out of memory", "skipped".
 std::string to_string(Status status);
@@ -67,7 +67,7 @@ struct DatasetRecord {
   std::string kernel;  ///< as to_string(Kernel) names it
 };
 
-/// What matching came to. The mesh is measured against the sizing as it was asked for, not as it was scaled.
+/// The result of matching. The mesh is measured against the sizing as it was asked for, before scaling.
 struct MatchRecord {
   double vertices = 0.0;  ///< asked for
   double scale = 1.0;     ///< factor on the edge lengths, as scaled() puts it
@@ -75,7 +75,7 @@ struct MatchRecord {
   std::string reason;     ///< why the number could not be reached; "" where it was
 };
 
-/// The sizing that came out of the request, mm.
+/// The sizing field of the request, mm.
 struct SizingRecord {
   bool uniform = false;
   double floor = 0.0;
@@ -83,7 +83,7 @@ struct SizingRecord {
   double largest = 0.0;
 };
 
-/// Who took the figures of a record, where that was not the run itself.
+/// Which program measured, if the mesh was measured again after the run.
 struct MeasuredAgain {
   std::string when;  ///< UTC, ISO 8601
   std::string commit;
@@ -120,15 +120,17 @@ struct RunRecord {
   std::vector<std::string> notes;
 };
 
-/// Names of figures as in results.csv. Numbers that are not finite become null.
+/// Figures have the names that results.csv gives them. One that was not measured is null; one that is unknown, because
+/// the record is older than the figure, is left out. Numbers that are not finite are null.
 std::string to_json(const RunRecord& record);
-/// Throws DataError, naming `origin`, for text that is no record or one of a newer schema.
+/// Throws DataError that names `origin` if the text is no record, or a record of another schema version. Records of
+/// program version 0.1.0 have the same schema version, and lack the figures that were added later.
 RunRecord record_from_json(const std::string& text, const std::string& origin);
 
 void write_record(const RunRecord& record, const std::filesystem::path& path);
 RunRecord read_record(const std::filesystem::path& path);
 
-/// The figures of a measurement alone, by the same names (`isobench measure --json`).
+/// The figures of a measurement alone (`isobench measure --json`).
 std::string to_json(const Measurement& measurement);
 
 /// A plan: every cell of an experiment, as plan.json keeps it.

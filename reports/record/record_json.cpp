@@ -1,7 +1,8 @@
 // run.json.
 #include <algorithm>
+#include <cmath>
 
-#include "isobench/reports/record/figures.h"
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/record/json_values.h"
 
 namespace isobench {
@@ -71,46 +72,68 @@ DatasetRecord dataset_from_json(const Json& json) {
   return d;
 }
 
+// Whole numbers up to here are doubles without loss.
+constexpr double largest_count = 9007199254740992.0;  // 2^53
+
+Json figure_to_json(const FigureDeclaration& figure, const std::optional<double>& value) {
+  if (!value) return nullptr;
+  return figure.kind == Kind::number ? Json(*value) : Json(static_cast<std::int64_t>(*value));
+}
+
+// Unknown figures are left out; those that were not measured are null.
 Json figures_to_json(const Measurement& measurement) {
   Json json = Json::object();
-  visit_figures(measurement, [&](const char* name, const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-      json[name] = number(value);
-    else
-      json[name] = value;
-  });
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    if (!measurement.is_known(n)) continue;
+    const FigureDeclaration& figure = declared_figures()[n];
+    json[figure.name] = figure_to_json(figure, measurement.at(n));
+  }
   return json;
 }
 
 Json histograms_to_json(const Measurement& measurement) {
   Json json = Json::object();
-  visit_histograms(measurement, [&](const char* name, const Histogram& histogram) {
-    json[name] = {{"low", histogram.low}, {"high", histogram.high}, {"counts", histogram.counts}};
-  });
-  json["valence"] = {{"counts", measurement.valence.counts}};
+  for (std::size_t n = 0; n < declared_histograms().size(); ++n) {
+    const Histogram& histogram = measurement.histogram_at(n);
+    if (histogram.counts.empty()) continue;
+    json[declared_histograms()[n].name] = {
+        {"low", histogram.low}, {"high", histogram.high}, {"counts", histogram.counts}};
+  }
   return json;
 }
 
+std::optional<double> figure_from_json(const FigureDeclaration& figure, const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  if (figure.kind == Kind::number) return json.get<double>();
+  const double value = figure.kind == Kind::count ? static_cast<double>(integer<std::uint64_t>(json))
+                                                  : static_cast<double>(integer<std::int64_t>(json));
+  if (std::abs(value) > largest_count) throw DataError(figure.name + " is too large");
+  return value;
+}
+
+// A record that is older than a metric does not have its figures: they are unknown until `isobench measure` takes
+// them. Figures that no metric of this program declares are passed over.
 Measurement measurement_from_json(const Json& figures, const Json& histograms) {
   Measurement measurement;
-  visit_figures(measurement, [&](const char* name, auto& value) {
-    // Figures that came after the record was written, by metrics of a later revision, are unknown, and taken by
-    // `isobench measure`.
-    const std::string figure = name;
-    const bool later = (figure.starts_with("edge_over_own_h0") || figure.starts_with("distance_from_surface")) &&
-                       !figures.contains(figure);
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
-      if (later) value = std::numeric_limits<double>::quiet_NaN();
-    }
-    if (!later) read(figures.at(name), value);
-  });
-  visit_histograms(measurement, [&](const char* name, Histogram& histogram) {
-    const Json& json = histograms.at(name);
-    histogram.low = json.at("low").get<double>();
-    histogram.high = json.at("high").get<double>();
-    histogram.counts = integers<std::uint32_t>(json.at("counts"));
-  });
-  measurement.valence.counts = integers<std::size_t>(histograms.at("valence").at("counts"));
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    const FigureDeclaration& figure = declared_figures()[n];
+    const auto found = figures.find(figure.name);
+    if (found != figures.end())
+      measurement.set_at(n, figure_from_json(figure, *found));
+    else if (metric_of_figure(n).in_every_record)
+      throw DataError("the figure " + figure.name + " is missing");
+    else
+      measurement.set_unknown(n);
+  }
+  for (std::size_t n = 0; n < declared_histograms().size(); ++n) {
+    const auto found = histograms.find(declared_histograms()[n].name);
+    if (found == histograms.end()) continue;
+    Histogram& histogram = measurement.histogram_at(n);
+    histogram.counts = integers<std::uint32_t>(found->at("counts"));
+    // Version 0.1.0 wrote the counts of valences alone.
+    histogram.low = found->value("low", 0.0);
+    histogram.high = found->value("high", static_cast<double>(histogram.counts.size()));
+  }
   return measurement;
 }
 
@@ -123,17 +146,14 @@ Json stages_to_json(const std::vector<StageTime>& stages) {
 }
 
 Json seconds_to_json(const RunRecord& record) {
-  return {{"seconds_prepare", number(record.seconds_prepare)}, {"seconds_sizing", number(record.seconds_sizing)},
-          {"seconds_method", number(record.seconds_method)},   {"seconds_total", number(record.seconds_total)},
-          {"peak_memory_mb", number(record.peak_memory_mb)},   {"stages", stages_to_json(record.stages)}};
+  Json json = Json::object();
+  for (const CostDeclaration& cost : cost_declarations()) json[cost.figure.name] = number(record.*cost.value);
+  json["stages"] = stages_to_json(record.stages);
+  return json;
 }
 
 void cost_from_json(const Json& json, RunRecord& record) {
-  read(json.at("seconds_prepare"), record.seconds_prepare);
-  read(json.at("seconds_sizing"), record.seconds_sizing);
-  read(json.at("seconds_method"), record.seconds_method);
-  read(json.at("seconds_total"), record.seconds_total);
-  read(json.at("peak_memory_mb"), record.peak_memory_mb);
+  for (const CostDeclaration& cost : cost_declarations()) read(json.at(cost.figure.name), record.*cost.value);
   record.stages.reserve(json.at("stages").size());
   for (const Json& stage : json.at("stages")) {
     StageTime time{stage.at("name").get<std::string>(), 0.0, 0.0};

@@ -7,8 +7,10 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 
-#include "isobench/reports/record/figures.h"
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/record/sample_records.h"
 
 namespace isobench {
@@ -27,10 +29,10 @@ TEST(Record, ComesBackWhole) {
   EXPECT_EQ(back.request.limit_minutes, 20.0);
   EXPECT_EQ(back.dataset->lattice.size, record.dataset->lattice.size);
   EXPECT_EQ(back.dataset->lattice.direction, record.dataset->lattice.direction);
-  EXPECT_EQ(back.measurement->radius_ratio.min, record.measurement->radius_ratio.min);
-  EXPECT_EQ(back.measurement->radius_ratio.histogram.counts, record.measurement->radius_ratio.histogram.counts);
-  EXPECT_EQ(back.measurement->valence.counts, record.measurement->valence.counts);
-  EXPECT_EQ(back.measurement->reference.euler, -12);
+  EXPECT_EQ(back.measurement->figure("radius_ratio_min"), record.measurement->figure("radius_ratio_min"));
+  EXPECT_EQ(back.measurement->histogram("radius_ratio").counts, record.measurement->histogram("radius_ratio").counts);
+  EXPECT_EQ(back.measurement->histogram("valence").counts, record.measurement->histogram("valence").counts);
+  EXPECT_EQ(back.measurement->figure("euler_reference"), -12.0);
   EXPECT_EQ(back.mesh_checksum, "c0ffee");
   ASSERT_TRUE(back.match.has_value());
   EXPECT_EQ(back.match->vertices, 1010.0);
@@ -54,19 +56,58 @@ TEST(Record, FiguresGoByTheirNamesInTheCsv) {
   EXPECT_TRUE(json.at("request").at("edge_length").is_null());
 }
 
-TEST(Record, EveryFigureHasADefinition) {
-  const Measurement measurement;
-  visit_figures(measurement, [](const std::string& name, const auto&) {
-    if (name == "unused_vertices") return;  // of the input, not of its quality
-    const auto& all = metric_definitions();
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const MetricDefinition& m) { return m.name == name; })) << name;
-  });
+TEST(Record, AFigureThatWasNotMeasuredIsNullAndComesBackSo) {
+  RunRecord record = sample_record("skull", "particles");
+  record.measurement->set("edge_over_h0_exceed_count", std::nullopt);
+  const std::string text = to_json(record);
+  EXPECT_NE(text.find("\"edge_over_h0_exceed_count\": null"), std::string::npos);
+  const RunRecord back = record_from_json(text, "test");
+  EXPECT_EQ(back.measurement->figure("edge_over_h0_exceed_count"), std::nullopt);
+  EXPECT_TRUE(back.measurement->is_known(figure_index("edge_over_h0_exceed_count")));
+  EXPECT_TRUE(std::isnan(figure_value(back, "edge_over_h0_exceed_count")));
+  EXPECT_EQ(to_json(back), text);
+}
+
+// What version 0.1.0 wrote: no area and volume, valences without bounds.
+TEST(Record, OfAnEarlierVersionDoesNotKnowLaterFigures) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(to_json(sample_record("skull", "particles")));
+  for (const char* later : {"area", "volume", "distance_from_surface_mean", "edge_over_own_h0_max"})
+    json["figures"].erase(later);
+  json["histograms"]["valence"].erase("low");
+  json["histograms"]["valence"].erase("high");
+  json["figures"]["of_another_program"] = 3.0;
+  const RunRecord back = record_from_json(json.dump(), "test");
+  EXPECT_FALSE(back.measurement->is_known(figure_index("area")));
+  EXPECT_FALSE(back.measurement->is_known(figure_index("edge_over_own_h0_max")));
+  EXPECT_TRUE(back.measurement->is_known(figure_index("edge_over_own_h0_exceed_percent")));
+  EXPECT_EQ(back.measurement->figure("volume"), std::nullopt);
+  EXPECT_EQ(back.measurement->histogram("valence").high, 6.0);
+  EXPECT_EQ(to_json(back).find("\"area\""), std::string::npos) << "it stays unknown";
+}
+
+TEST(Figures, OfARunHaveOneDeclarationEach) {
+  std::set<std::string> names;
+  for (const std::string& name : figure_names()) {
+    EXPECT_TRUE(names.insert(name).second) << name << " is declared twice";
+    EXPECT_EQ(figure_declaration(name).name, name);
+  }
+  const RunRecord record = sample_record("skull", "particles");
+  EXPECT_EQ(figure_value(record, "seconds_total"), 5.25);
+  EXPECT_EQ(figure_of("euler")(record), -14.0);
+  EXPECT_TRUE(std::isnan(figure_value(RunRecord(), "euler")));
+  EXPECT_TRUE(std::isnan(figure_value(RunRecord(), "seconds_total")));
+  try {
+    figure_of("seconds_totla");
+    FAIL() << "found";
+  } catch (const std::logic_error& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'seconds_total'?"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Record, NumbersThatAreNotFiniteComeBackAsNotANumber) {
   RunRecord record = sample_record("skull", "particles");
-  record.measurement->edges.over_h0_max = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(std::isnan(record_from_json(to_json(record), "test").measurement->edges.over_h0_max));
+  record.measurement->set("edge_over_h0_max", std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(record_from_json(to_json(record), "test").measurement->number("edge_over_h0_max")));
 }
 
 TEST(Record, AFailedRunHasAReasonAndNoFigures) {
@@ -168,7 +209,9 @@ TEST(RecordBadInput, NamesAndNumbersThatWouldDoHarm) {
   }
   refused("\"seed\": 1", "\"seed\": -1");
   refused("\"reference_k\": 3", "\"reference_k\": 30000");
-  refused("\"triangles\": 2000", "\"triangles\": -2000");
+  for (const char* number : {"-2000", "2.5", "1e300", "18446744073709551615", "\"2000\""})
+    refused("\"triangles\": 2000", fmt::format("\"triangles\": {}", number));
+  refused("\"euler\": -14", "\"euler\": -14.5");
 }
 
 TEST(RecordBadInput, AReasonThatIsNoUtf8IsStillWritten) {

@@ -1,4 +1,4 @@
-// Records made by hand for the tests of this folder.
+// Records made by hand for the tests of reports.
 #pragma once
 
 #include <string>
@@ -43,26 +43,29 @@ inline RunRecord sample_record(const std::string& dataset, const std::string& me
   data.lattice.direction.col(0) = Eigen::Vector3d(0.0, 1.0, 0.0);
   record.sizing = SizingRecord{false, 0.25, 0.3, 4.0};
   Measurement& m = record.measurement.emplace();
-  m.vertices = 1002;
-  m.triangles = 2000;
-  m.radius_ratio.min = 0.1 + 0.2;  // no short decimal
-  m.radius_ratio.avg = 0.9449;
-  m.radius_ratio.histogram.add(0.25);
-  m.valence.lt5_percent = 0.25;
-  m.valence.v5_percent = 17.5;
-  m.valence.v6_percent = 64.0;
-  m.valence.v7_percent = 18.0;
-  m.valence.gt7_percent = 0.25;
-  m.valence.counts = {0, 0, 0, 0, 3, 5};
-  m.edges.over_h0_max = 1.25;
-  m.edges.exceed_count = 3;
-  m.edges.exceed_triangle_percent = 0.0035;
-  m.topology.components = 1;
-  m.topology.euler = -14;
-  m.reference.k = 2;
-  m.reference.euler = -12;
-  m.reference.components = 3;
-  m.distance.mean = 0.0125;
+  for (const FigureDeclaration& figure : declared_figures()) m.set(figure.name, 0.0);
+  for (const HistogramDeclaration& histogram : declared_histograms()) m.histogram(histogram.name) = histogram.empty();
+  m.set("vertices", 1002);
+  m.set("triangles", 2000);
+  m.set("radius_ratio_min", 0.1 + 0.2);  // no short decimal
+  m.set("radius_ratio_avg", 0.9449);
+  m.histogram("radius_ratio").add(0.25);
+  m.set("valence_lt5_percent", 0.25);
+  m.set("valence_5_percent", 17.5);
+  m.set("valence_6_percent", 64.0);
+  m.set("valence_7_percent", 18.0);
+  m.set("valence_gt7_percent", 0.25);
+  m.histogram("valence").counts = {0, 0, 0, 0, 3, 5};
+  m.histogram("valence").high = 6.0;
+  m.set("edge_over_h0_max", 1.25);
+  m.set("edge_over_h0_exceed_count", 3);
+  m.set("edge_over_h0_exceed_triangle_percent", 0.0035);
+  m.set("components", 1);
+  m.set("euler", -14);
+  m.set("reference_k", 2);
+  m.set("euler_reference", -12);
+  m.set("components_reference", 3);
+  m.set("distance_mean", 0.0125);
   record.mesh_checksum = "c0ffee";
   record.environment.host = "node1";
   record.measured_again = MeasuredAgain{"2026-02-03T04:05:06Z", "fedcba", true};

@@ -1,4 +1,4 @@
-// What is the same for many of its holders, held once.
+// A value that many objects have, stored once.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace isobench {
 
-/// A value that is never changed in place, so that its copies can hold it together: a hundred thousand runs have a
-/// handful of sets of parameters. Converts from a value; to change it, assign another one.
+/// A value that is never changed in place, so that its copies can share it: a hundred thousand runs have a handful of
+/// sets of parameters. Converts from a value; to change it, assign another one.
 template <class T>
 class SharedValue {
  public:
@@ -29,11 +29,11 @@ class SharedValue {
   std::shared_ptr<const T> value_;
 };
 
-/// Lets equal values that came from different places be held once.
+/// Stores equal values once.
 template <class T>
 class SharedPool {
  public:
-  /// The first value that was equal to this one.
+  /// The first value that the pool was given and that equals this one.
   const SharedValue<T>& first_of(const SharedValue<T>& value) { return *values_.insert(value).first; }
 
  private:

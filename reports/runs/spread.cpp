@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/text/markdown.h"
 
 namespace isobench {
@@ -20,7 +21,7 @@ Runs finished(const Runs& runs) {
   return result;
 }
 
-bool is_closed_manifold(const RunRecord& run) { return run.measurement && run.measurement->topology.closed_manifold(); }
+bool is_closed_manifold(const RunRecord& run) { return run.measurement && is_closed_manifold(*run.measurement); }
 
 Runs counted_runs(const Runs& runs) {
   Runs result = finished(runs);

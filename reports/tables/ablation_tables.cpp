@@ -1,10 +1,11 @@
-// What one choice within a method is worth: runs that differ from a base in a single parameter.
+// The effect of one choice within a method: runs that differ from a base in a single parameter.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/tables/table_parts.h"
 #include "isobench/reports/tables/tables.h"
 
@@ -22,7 +23,7 @@ struct Ablation {
   std::vector<Change> changes;
 };
 
-// The one parameter in which the second differs from the first; nothing where they differ in more or in other things.
+// The parameter that differs, if it is the only difference between the two.
 std::optional<std::string> only_change(const RunRequest& base, const RunRequest& other) {
   if (base.method != other.method || sizing_name(base.sizing) != sizing_name(other.sizing) ||
       base.reference_k != other.reference_k || base.match_to != other.match_to) {
@@ -54,7 +55,7 @@ Ablation changes_from(const RunGrid& runs, const Variant& base) {
   return found;
 }
 
-// Of each method the variant from which most others are one step away; the first in the plan of several.
+// For each method the variant from which most others differ in one parameter; of several, the first in the plan.
 std::vector<Ablation> ablations(const RunGrid& runs) {
   std::vector<Ablation> all;
   for (const Variant& variant : runs.variants) {
@@ -71,8 +72,10 @@ std::vector<Ablation> ablations(const RunGrid& runs) {
 }
 
 double defects(const RunRecord& run) {
-  const TopologyFigures& t = run.measurement->topology;
-  return static_cast<double>(t.boundary_edges + t.nonmanifold_edges + t.nonmanifold_vertices + t.self_intersections);
+  double sum = 0.0;
+  for (const char* figure : {"boundary_edges", "nonmanifold_edges", "nonmanifold_vertices", "self_intersections"})
+    sum += run.measurement->number(figure);
+  return sum;
 }
 
 struct StageColumn {
@@ -83,19 +86,17 @@ struct StageColumn {
 };
 
 const std::vector<StageColumn>& columns() {
-  using R = RunRecord;
   using Over = StageColumn::Over;
   static const std::vector<StageColumn> all{
-      {"vertices", [](const R& r) { return static_cast<double>(r.measurement->vertices); }, as_number()},
-      {"Q min", [](const R& r) { return r.measurement->radius_ratio.min; }, to_places(3)},
-      {"Q avg", [](const R& r) { return r.measurement->radius_ratio.avg; }, to_places(4)},
-      {"valence 6 %", [](const R& r) { return r.measurement->valence.v6_percent; }, to_places(1)},
-      {"edges > h0 %", [](const R& r) { return r.measurement->edges.exceed_percent; }, to_places(4)},
-      {"edges > own h0 %", [](const R& r) { return r.measurement->edges.own_exceed_percent; }, to_places(4)},
-      {"χ", [](const R& r) { return static_cast<double>(r.measurement->topology.euler); }, as_number(),
-       Over::all_meshes},
+      {"vertices", figure_of("vertices"), as_number()},
+      {"Q min", figure_of("radius_ratio_min"), to_places(3)},
+      {"Q avg", figure_of("radius_ratio_avg"), to_places(4)},
+      {"valence 6 %", figure_of("valence_6_percent"), to_places(1)},
+      {"edges > h0 %", figure_of("edge_over_h0_exceed_percent"), to_places(4)},
+      {"edges > own h0 %", figure_of("edge_over_own_h0_exceed_percent"), to_places(4)},
+      {"χ", figure_of("euler"), as_number(), Over::all_meshes},
       {"defects", defects, as_number(), Over::all_meshes},
-      {"seconds", [](const R& r) { return r.seconds_total; }, to_significant(3), Over::alike_timed},
+      {"seconds", figure_of("seconds_total"), to_significant(3), Over::alike_timed},
   };
   return all;
 }
@@ -106,7 +107,7 @@ TableCell cell_of(const RunGrid& runs, const Runs& group, const StageColumn& col
                                                       : over(group, column.figure, column.print);
 }
 
-// " [+0.012]", where it prints as anything but nothing.
+// " [+0.012]"; "" where it prints as zero.
 std::string difference(const TableCell& cell, const TableCell& base) {
   if (cell.figures.empty() || base.figures.empty()) return "";
   const double change = cell.figures[0].spread.median - base.figures[0].spread.median;
@@ -137,7 +138,7 @@ std::vector<Table> ablation_tables(const RunGrid& runs) {
   std::vector<Table> tables;
   for (const Ablation& ablation : ablations(runs)) {
     Table table;
-    table.title = "What one choice is worth: " + ablation.base->name;
+    table.title = "Effect of changing one parameter: " + ablation.base->name;
     table.header = {"Data", "Changed"};
     for (const StageColumn& column : columns()) table.header.push_back(column.title);
     for (const std::string& dataset : runs.datasets) {
@@ -149,12 +150,10 @@ std::vector<Table> ablation_tables(const RunGrid& runs) {
       }
     }
     table.remarks = {
-        "In square brackets: the difference to the same data's row where nothing is changed, of medians, where it "
-        "shows "
-        "in the digits printed. Q is the radius ratio. h0 is that of every table; own h0 that of the sizing field "
-        "which "
-        "the run itself made. Defects are boundary edges, pinches and self-intersections together. Seconds are wall "
-        "seconds of sizing and method."};
+        "Square brackets give the difference between the medians of this row and of the row of the same data where "
+        "nothing is changed, if it shows in the printed digits. Q is the radius ratio. h0 is the same for every "
+        "method; own h0 belongs to the sizing field that the run computed for itself. Defects are boundary edges, "
+        "pinches and self-intersections together. Seconds are wall seconds of sizing and method."};
     table.definitions = {"radius_ratio_avg", "edge_over_h0_exceed_percent", "edge_over_own_h0_exceed_percent", "euler"};
     tables.push_back(std::move(table));
   }

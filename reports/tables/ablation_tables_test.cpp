@@ -30,14 +30,14 @@ std::vector<std::string> texts(const TableRow& row) {
 TEST(AblationTables, ShowWhatEachChangeDoesBesideTheBase) {
   Results results = one_at_a_time();
   Measurement& few = *results.records[1].measurement;
-  few.radius_ratio.avg -= 0.0125;
-  few.valence.v6_percent += 2.0;
-  few.topology.nonmanifold_vertices = 3;
-  few.topology.self_intersections = 1;
+  few.set("radius_ratio_avg", few.number("radius_ratio_avg") - 0.0125);
+  few.set("valence_6_percent", few.number("valence_6_percent") + 2.0);
+  few.set("nonmanifold_vertices", 3);
+  few.set("self_intersections", 1);
   results.records[1].seconds_total = 2.25;
   const auto tables = ablation_tables(arrange_runs(results));
   ASSERT_EQ(tables.size(), 1U);
-  EXPECT_EQ(tables[0].title, "What one choice is worth: particles");
+  EXPECT_EQ(tables[0].title, "Effect of changing one parameter: particles");
   ASSERT_EQ(tables[0].rows.size(), 3U);
   EXPECT_EQ(texts(tables[0].rows[0]), (std::vector<std::string>{"torus", "nothing", "1002", "0.300", "0.9449", "64.0",
                                                                 "0.0000", "0.0000", "-14", "0", "5.25"}));

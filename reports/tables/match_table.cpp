@@ -13,14 +13,14 @@ double off_percent(const RunRecord& run) { return 100.0 * (vertices(run) / asked
 double scale(const RunRecord& run) { return run.match->scale; }
 double tries(const RunRecord& run) { return run.match->tries; }
 
-// By run: the label of the entry that asked for it.
+// The label of each run.
 std::map<std::string, std::string> labels_of(const Results& results) {
   std::map<std::string, std::string> labels;
   for (const RunRecord& record : results.records) labels[record.request.run] = record.request.label;
   return labels;
 }
 
-// Why runs are not matched, each reason once.
+// Why runs could not be matched; each reason once.
 std::string reasons(const Runs& runs) {
   std::vector<std::string> all;
   for (const RunRecord* run : runs) {
@@ -39,9 +39,8 @@ Table match_table(const Results& results) {
   table.title = "Matching the number of vertices";
   table.header = {"Data", "Method", "matched to", "vertices", "of", "off by %", "scale of edges", "tries"};
   table.remarks = {
-      "A run is matched by scaling the edge lengths that its method is asked for until its number of vertices is "
-      "within "
-      "2 % of the other run's; edges are compared with h0 as it was before that."};
+      "Matching scales the edge lengths that a method is asked for until its number of vertices is within 2 % of the "
+      "other run's. Edges are compared with h0 as it was before scaling."};
   const std::map<std::string, std::string> labels = labels_of(results);
   const RunGrid runs = arrange_runs(results);
   for (const std::string& dataset : runs.datasets) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/tables/table_parts.h"
 
 namespace isobench {
@@ -41,12 +42,10 @@ struct Row {
 };
 
 const std::vector<Row>& rows() {
-  using R = RunRecord;
-  static const std::vector<Row> all = {
-      {"triangles", [](const R& r) { return static_cast<double>(r.measurement->triangles); }, as_number()},
-      {"radius ratio min", [](const R& r) { return r.measurement->radius_ratio.min; }, to_significant(3)},
-      {"radius ratio avg", [](const R& r) { return r.measurement->radius_ratio.avg; }, to_places(3)},
-      {"mean distance mm", [](const R& r) { return r.measurement->distance.mean; }, to_significant(3)}};
+  static const std::vector<Row> all = {{"triangles", figure_of("triangles"), as_number()},
+                                       {"radius ratio min", figure_of("radius_ratio_min"), to_significant(3)},
+                                       {"radius ratio avg", figure_of("radius_ratio_avg"), to_places(3)},
+                                       {"mean distance mm", figure_of("distance_mean"), to_significant(3)}};
   return all;
 }
 

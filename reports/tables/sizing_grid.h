@@ -20,12 +20,12 @@ struct SizingGrid {
   std::map<std::pair<double, double>, Runs> cells;  ///< by ε and δ; of every seed and repeat
 };
 
-/// Points into `results`. Two one-at-a-time variations that cross in their base are no grid. Of several floors or
-/// refinements of the reference only the first counts.
+/// Points into `results`. Two one-at-a-time variations that cross in their base are no grid. If there are several
+/// floors or refinements of the reference, only the first counts.
 std::vector<SizingGrid> sizing_grids(const Results& results);
 
-/// From each ε to the next smaller one at equal δ, or from each δ to the next smaller one at equal ε: in how many of
-/// these steps, both ends finished, the median of a figure rises and falls.
+/// How often the median of a figure rises and falls in steps from one ε to the next smaller one at equal δ, or from one
+/// δ to the next smaller one at equal ε. Steps with an unfinished end do not count.
 struct Trend {
   int steps = 0;
   int rises = 0;
@@ -34,8 +34,8 @@ struct Trend {
 enum class Along { epsilon, delta };
 Trend trend(const SizingGrid& grid, Along along, const Figure& figure);
 
-/// For every grid: triangles, smallest and average radius ratio and mean distance in each cell, and below it how they
-/// go with ε and δ.
+/// One table for each grid: triangles, smallest and average radius ratio and mean distance in each cell, and under the
+/// table how they change with ε and δ.
 std::vector<Table> sizing_grid_tables(const Results& results);
 
 }  // namespace isobench

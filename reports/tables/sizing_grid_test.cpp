@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/record/sample_records.h"
 #include "isobench/reports/tables/tables.h"
 #include "isobench/reports/tables_document.h"
@@ -16,9 +17,9 @@ RunRecord run(double epsilon, double delta, std::uint64_t seed = 1) {
   record.request.seed = seed;
   // Seeds scatter around 100/(εδ), 1 − δ and ε.
   const double scatter = 1.0 + 0.01 * (static_cast<double>(seed) - 2.0);
-  record.measurement->triangles = static_cast<std::size_t>(scatter * 100.0 / (epsilon * delta));
-  record.measurement->radius_ratio.min = scatter * (1.0 - delta);
-  record.measurement->distance.mean = scatter * epsilon;
+  record.measurement->set("triangles", static_cast<std::size_t>(scatter * 100.0 / (epsilon * delta)));
+  record.measurement->set("radius_ratio_min", scatter * (1.0 - delta));
+  record.measurement->set("distance_mean", scatter * epsilon);
   return record;
 }
 
@@ -38,9 +39,9 @@ std::string grid_text(const Results& results) {
   return text;
 }
 
-const Figure triangle_count = [](const RunRecord& r) { return static_cast<double>(r.measurement->triangles); };
-const Figure smallest = [](const RunRecord& r) { return r.measurement->radius_ratio.min; };
-const Figure distance = [](const RunRecord& r) { return r.measurement->distance.mean; };
+const Figure triangle_count = figure_of("triangles");
+const Figure smallest = figure_of("radius_ratio_min");
+const Figure distance = figure_of("distance_mean");
 
 TEST(SizingGrid, IsLaidOutAsTheFigure) {
   const std::string text = grid_text(grid());
@@ -66,9 +67,9 @@ TEST(SizingGrid, TrendsAreOfMediansAndOfFinishedCells) {
   EXPECT_EQ(with(Along::epsilon, triangle_count).rises, 4);
   EXPECT_EQ(with(Along::delta, distance).rises + with(Along::delta, distance).falls, 0);
   // One bad seed moves no median; two do.
-  results.records[3].measurement->radius_ratio.min = 0.0;  // ε 1, δ 0.25
+  results.records[3].measurement->set("radius_ratio_min", 0.0);  // ε 1, δ 0.25
   EXPECT_EQ(with(Along::delta, smallest).rises, 3);
-  results.records[4].measurement->radius_ratio.min = 0.0;
+  results.records[4].measurement->set("radius_ratio_min", 0.0);
   EXPECT_EQ(with(Along::delta, smallest).rises, 2);
   EXPECT_EQ(with(Along::delta, smallest).falls, 1);
   for (std::size_t i : {3, 4, 5}) {

@@ -9,7 +9,7 @@ namespace isobench {
 
 namespace {
 
-// The whole of the method, its sizing field included, of which "mesh/relaxation" and the like are parts.
+// The stage of the whole method with its sizing field. "mesh/relaxation" is one of its parts.
 const std::string whole_method = "mesh";
 
 const StageTime* find_stage(const RunRecord& run, const std::string& name) {
@@ -30,8 +30,7 @@ double parallel(const RunRecord& run) {
 
 double microseconds_a_vertex(const RunRecord& run) { return 1e6 * wall_seconds(run, whole_method) / vertices(run); }
 
-// The stages that a method's finished runs went through, without those within others, in the order in which they
-// ended.
+// The stages of a method's finished runs, without stages within stages, in the order in which they ended.
 std::vector<std::string> stages_of(const RunGrid& runs, const std::string& method) {
   std::vector<std::string> names;
   for (const Variant& variant : runs.variants) {
@@ -85,9 +84,8 @@ std::vector<Table> stage_tables(const RunGrid& runs) {
     for (const std::string& name : stages) table.header.push_back(name.substr(whole_method.size() + 1));
     table.header.insert(table.header.end(), {"in all", "CPU / wall", "µs a vertex"});
     table.remarks = {
-        "Wall seconds; what lies between stages is in the last sum alone. CPU / wall is how many cores were at work, "
-        "on "
-        "average."};
+        "Wall seconds. Time between stages counts only in the column \"in all\". CPU / wall is the mean number of busy "
+        "cores."};
     say_how_timed(runs, table);
     for (const std::string& dataset : runs.datasets) {
       for (const Variant& variant : runs.variants) {

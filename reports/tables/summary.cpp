@@ -2,65 +2,96 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
+#include "isobench/metrics/topology/topology.h"
 
 namespace isobench {
 
 namespace {
 
-std::string defects(const TopologyFigures& topology) {
-  std::string text = topology.closed_manifold() ? "closed manifold" : "";
-  const auto add = [&text](std::size_t count, const char* what) {
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+std::string defects(const Measurement& m) {
+  std::string text = is_closed_manifold(m) ? "closed manifold" : "";
+  const auto add = [&](const char* figure, const char* what) {
+    if (m.number(figure) > 0.0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", m.number(figure), what);
   };
-  add(topology.boundary_edges, "boundary edges");
-  add(topology.nonmanifold_edges, "non-manifold edges");
-  add(topology.misoriented_edges, "misoriented edges");
-  add(topology.nonmanifold_vertices, "pinched vertices");
-  add(topology.self_intersections, "self-intersections");
+  add("boundary_edges", "boundary edges");
+  add("nonmanifold_edges", "non-manifold edges");
+  add("misoriented_edges", "misoriented edges");
+  add("nonmanifold_vertices", "pinched vertices");
+  add("self_intersections", "self-intersections");
   return text;
+}
+
+bool has_surface(const Measurement& m) { return m.figure("euler_reference").has_value(); }
+
+/// Why a figure has no value.
+std::string not_measured(const Measurement& m, const char* figure) {
+  const FigureDeclaration& declared = declared_figure(figure);
+  const Needs needs = metric_of_figure(figure_index(figure)).needs;
+  if (needs != Needs::mesh && !has_surface(m)) {
+    return std::string("not measured: needs a surface (--dataset or --volume)") +
+           (needs == Needs::sizing ? " and a sizing (--epsilon)" : "");
+  }
+  if (needs == Needs::sizing) return "not measured: needs a sizing (--epsilon)";
+  return "not measured: " + (declared.unmeasured.empty() ? "the mesh has no such figure" : declared.unmeasured);
+}
+
+/// A value with so many significant digits and its unit.
+std::string value_text(const Measurement& m, const char* figure, int digits) {
+  const std::optional<double> value = m.figure(figure);
+  if (!value) return not_measured(m, figure);
+  return fmt::format("{:.{}g} {}", *value, digits, declared_figure(figure).unit);
+}
+
+std::string valence_line(const Measurement& m) {
+  if (!m.figure("valence_6_percent")) return not_measured(m, "valence_6_percent");
+  return fmt::format("5: {:.1f} %, 6: {:.1f} %, 7: {:.1f} %, outside: {} vertices", m.number("valence_5_percent"),
+                     m.number("valence_6_percent"), m.number("valence_7_percent"), m.number("valence_extreme_count"));
+}
+
+std::string edge_lines(const Measurement& m) {
+  if (!m.figure("edge_over_h0_max")) return fmt::format("edges / h0    {}\n", not_measured(m, "edge_over_h0_max"));
+  std::string text =
+      fmt::format("edges / h0    max {:.3f}, {} above 1 ({:.4f} % of edges)\n", m.number("edge_over_h0_max"),
+                  m.number("edge_over_h0_exceed_count"), m.number("edge_over_h0_exceed_percent"));
+  // A method without an h0 of its own would have the same line again.
+  if (m.figure("edge_over_own_h0_max") != m.figure("edge_over_h0_max")) {
+    text += fmt::format("edges/own h0  max {:.3f}, {:.4f} % of edges above 1\n", m.number("edge_over_own_h0_max"),
+                        m.number("edge_over_own_h0_exceed_percent"));
+  }
+  return text;
+}
+
+std::string topology_line(const Measurement& m) {
+  if (!has_surface(m)) {
+    return fmt::format("components {}, Euler {}; of the surface {}", m.number("components"), m.number("euler"),
+                       not_measured(m, "euler_reference"));
+  }
+  return fmt::format("components {} (surface {}), Euler {} (surface {}, counted at k = {})", m.number("components"),
+                     m.number("components_reference"), m.number("euler"), m.number("euler_reference"),
+                     m.number("reference_k"));
+}
+
+std::string distance_line(const Measurement& m) {
+  if (!has_surface(m)) return not_measured(m, "distance_mean");
+  return "mean " + value_text(m, "distance_mean", 4) + ", max " + value_text(m, "distance_max", 4);
 }
 
 }  // namespace
 
 std::string summary_text(const Measurement& m) {
-  std::string text;
-  text += fmt::format("size          {} vertices, {} triangles\n", m.vertices, m.triangles);
-  text += fmt::format("radius ratio  min {:.4f}, 0.1 percentile {:.4f}, average {:.4f}\n", m.radius_ratio.min,
-                      m.radius_ratio.p01, m.radius_ratio.avg);
-  text += fmt::format("angles        {:.1f}° to {:.1f}°\n", m.angles.min, m.angles.max);
-  text += fmt::format("valence       5: {:.1f} %, 6: {:.1f} %, 7: {:.1f} %, outside: {} vertices\n",
-                      m.valence.v5_percent, m.valence.v6_percent, m.valence.v7_percent, m.valence.extreme_count);
-  if (std::isfinite(m.edges.over_h0_max)) {
-    text += fmt::format("edges / h0    max {:.3f}, {} above 1 ({:.4f} % of edges)\n", m.edges.over_h0_max,
-                        m.edges.exceed_count, m.edges.exceed_percent);
-    // Where the method has no field of its own, this would be the same line again.
-    if (m.edges.over_own_h0_max != m.edges.over_h0_max) {
-      text += fmt::format("edges/own h0  max {:.3f}, {:.4f} % of edges above 1\n", m.edges.over_own_h0_max,
-                          m.edges.own_exceed_percent);
-    }
-  }
-  text +=
-      fmt::format("topology      components {} (surface {}), Euler {} (surface {}, counted at k = {})\n",
-                  m.topology.components, m.reference.components, m.topology.euler, m.reference.euler, m.reference.k);
-  text += fmt::format("mesh          {}\n", defects(m.topology));
-  text += fmt::format("distance      mean {:.4g} mm, max {:.4g} mm\n", m.distance.mean, m.distance.max);
+  std::string text =
+      fmt::format("size          {} vertices, {} triangles\n", m.number("vertices"), m.number("triangles"));
+  text += fmt::format("radius ratio  min {:.4f}, 0.1 percentile {:.4f}, average {:.4f}\n", m.number("radius_ratio_min"),
+                      m.number("radius_ratio_p01"), m.number("radius_ratio_avg"));
+  text += fmt::format("angles        {:.1f}° to {:.1f}°\n", m.number("angle_min"), m.number("angle_max"));
+  text += fmt::format("valence       {}\n", valence_line(m));
+  text += edge_lines(m);
+  text += fmt::format("topology      {}\n", topology_line(m));
+  text += fmt::format("mesh          {}\n", defects(m));
+  text += fmt::format("area          {}\n", value_text(m, "area", 6));
+  text += fmt::format("volume        {}\n", value_text(m, "volume", 6));
+  text += fmt::format("distance      {}\n", distance_line(m));
   return text;
-}
-
-void forget_edge_lengths(Measurement& measurement) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  measurement.edges.over_h0_max = unknown;
-  measurement.edges.over_h0_mean = unknown;
-  measurement.edges.exceed_percent = unknown;
-  measurement.edges.exceed_triangle_percent = unknown;
-  measurement.edges.floor_area_percent = unknown;
-  measurement.edges.over_own_h0_max = unknown;
-  measurement.edges.own_exceed_percent = unknown;
-  measurement.edges.own_exceed_triangle_percent = unknown;
-  measurement.edges.exceed_count = 0;
-  measurement.edges.histogram = Histogram(0.0, 2.0, 200);
 }
 
 }  // namespace isobench

@@ -7,10 +7,8 @@
 
 namespace isobench {
 
-/// Some ten lines of "name  figures"; edge lengths are left out where forget_edge_lengths() was called.
+/// Some ten lines of "name  figures". A line whose figures were not measured says what they need: a surface, a sizing
+/// or another mesh.
 std::string summary_text(const Measurement& measurement);
-
-/// Makes the figures about h0 "not measured" (NaN): for a mesh that no sizing was asked of.
-void forget_edge_lengths(Measurement& measurement);
 
 }  // namespace isobench

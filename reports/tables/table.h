@@ -1,4 +1,4 @@
-// A table before it is written down: what Markdown and LaTeX are both made from, so that neither has logic of its own.
+// The contents of a table. Markdown, LaTeX and the page are made from it.
 #pragma once
 
 #include <string>
@@ -9,26 +9,26 @@
 
 namespace isobench {
 
-/// One number of a cell: over several runs their median and range, unrounded, and how it is to be printed.
+/// One number of a cell, unrounded: the median and range over several runs, and how to print them.
 struct CellFigure {
   Spread spread;
   Print print;
-  /// "0.31" where smallest and largest print alike, else "0.31 (0.28–0.33)".
+  /// "0.31" if smallest and largest print alike, else "0.31 (0.28–0.33)".
   std::string text() const;
 };
 
-/// Numbers or words, and what stands with them. Converts from words.
+/// Figures or words, with marks and published values. Converts from words.
 struct TableCell {
   TableCell() = default;
   TableCell(std::string text) : words(std::move(text)) {}  // NOLINT: rows mix words and cells
   TableCell(const char* text) : words(text) {}             // NOLINT
 
-  std::string words;                   ///< where there are no figures
-  std::string reason;                  ///< of words that are a status
+  std::string words;                   ///< if there are no figures
+  std::string reason;                  ///< why the run has this status, if the words are a status
   std::vector<CellFigure> figures;     ///< "a / b"
   std::string unit;                    ///< of the figures
   std::string mark;                    ///< " †", " (3 seeds)"
-  std::vector<std::string> published;  ///< as printed there, figure by figure
+  std::vector<std::string> published;  ///< as printed in the paper, figure by figure
   std::string published_unit;
 
   /// "0.300 / 0.945 † (published 0.40 / 0.92)".
@@ -40,15 +40,15 @@ using TableRow = std::vector<TableCell>;
 struct Table {
   std::string title;
   std::vector<std::string> header;
-  std::size_t label_columns = 2;  ///< the first columns, which say what a row is of
+  std::size_t label_columns = 2;  ///< how many of the first columns name the row
   std::vector<TableRow> rows;
-  std::vector<std::string> remarks;      ///< sentences for under the table
-  std::vector<std::string> definitions;  ///< names of metrics to define under it
-  std::string source;                    ///< where published figures come from
+  std::vector<std::string> remarks;      ///< sentences under the table
+  std::vector<std::string> definitions;  ///< names of the figures that are defined under it
+  std::string source;                    ///< of the published figures
   bool empty() const { return rows.empty(); }
 };
 
-/// "## title", the table, and what belongs under it; "" for a table without rows.
+/// "## title", the table, and the text under it; "" for a table without rows.
 std::string markdown(const Table& table);
 
 }  // namespace isobench

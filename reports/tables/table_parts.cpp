@@ -17,7 +17,7 @@ std::string unit_of(const Published& published, const std::string& quantity) {
   return "";
 }
 
-// A reason may be a paragraph with a log's end in it; a table cell takes a line, run.json has the whole.
+// A reason may be a paragraph with the end of a log; a table cell takes one line of it. run.json has all.
 std::string shortened(const std::string& reason) {
   constexpr std::size_t longest = 120;
   if (reason.size() <= longest) return reason;
@@ -106,11 +106,9 @@ TableCell with_mark(TableCell cell, const std::string& mark) {
 std::string definitions(const std::vector<std::string>& figures) {
   std::string text;
   for (const std::string& name : figures) {
-    for (const MetricDefinition& metric : metric_definitions()) {
-      if (metric.name != name) continue;
-      text += fmt::format("- `{}`{}: {}\n", metric.name, metric.unit.empty() ? "" : " [" + metric.unit + "]",
-                          metric.definition);
-    }
+    const FigureDeclaration& figure = declared_figure(name);
+    text += fmt::format("- `{}`{}: {}\n", name, figure.unit.empty() ? "" : " [" + figure.unit + "]",
+                        full_definition(figure));
   }
   return text.empty() ? "" : "\n" + text;
 }
@@ -147,6 +145,6 @@ std::string plural(std::size_t count, const std::string& thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-double vertices(const RunRecord& run) { return static_cast<double>(run.measurement->vertices); }
+double vertices(const RunRecord& run) { return run.measurement->number("vertices"); }
 
 }  // namespace isobench

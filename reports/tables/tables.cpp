@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/tables/sizing_grid.h"
 #include "isobench/reports/tables/table_parts.h"
@@ -20,8 +21,8 @@ struct Column {
   bool timed = false;  ///< seconds, which compare only where they were measured alike
 };
 
-// A table of one row a dataset and variant; several seeds or repeats give the median and the range, of those that
-// counted_runs() lets pass or of all that finished.
+// A table with one row a dataset and variant. Several seeds or repeats give the median and the range of the runs that
+// counted_runs() lets pass or, without the gate, of all finished runs.
 Table table_of_runs(const RunGrid& runs, const std::string& title, const std::vector<Column>& columns,
                     bool gate = true) {
   Table table;
@@ -48,13 +49,13 @@ Table table_of_runs(const RunGrid& runs, const std::string& title, const std::ve
   return table;
 }
 
-// A figure of the topology, all of which are whole numbers.
-template <class Whole>
-Column counted(const std::string& title, Whole&& figure) {
-  return {title, [figure](const RunRecord& r) { return static_cast<double>(figure(*r.measurement)); }, as_number()};
+Column counted(const std::string& title, const std::string& figure) { return {title, figure_of(figure), as_number()}; }
+
+double pinches(const RunRecord& run) {
+  return run.measurement->number("nonmanifold_edges") + run.measurement->number("nonmanifold_vertices");
 }
 
-// What the runs of one seed came to.
+// Whether the repeats of a seed agree.
 std::string sameness(const Runs& runs) {
   const std::size_t meshes = different_meshes(runs);
   if (meshes == 0) return "–";
@@ -64,19 +65,17 @@ std::string sameness(const Runs& runs) {
 }  // namespace
 
 Table topology_table(const RunGrid& runs) {
-  using M = Measurement;
-  Table table = table_of_runs(
-      runs, "Topology",
-      {counted("components", [](const M& m) { return m.topology.components; }),
-       counted("reference", [](const M& m) { return m.reference.components; }),
-       counted("χ", [](const M& m) { return m.topology.euler; }),
-       counted("reference", [](const M& m) { return m.reference.euler; }),
-       counted("k", [](const M& m) { return m.reference.k; }),
-       counted("boundary edges", [](const M& m) { return m.topology.boundary_edges; }),
-       counted("pinches", [](const M& m) { return m.topology.nonmanifold_edges + m.topology.nonmanifold_vertices; }),
-       counted("misoriented edges", [](const M& m) { return m.topology.misoriented_edges; }),
-       counted("self-intersections", [](const M& m) { return m.topology.self_intersections; })},
-      false);
+  Table table = table_of_runs(runs, "Topology",
+                              {counted("components", "components"),
+                               counted("reference", "components_reference"),
+                               counted("χ", "euler"),
+                               counted("reference", "euler_reference"),
+                               counted("k", "reference_k"),
+                               counted("boundary edges", "boundary_edges"),
+                               {"pinches", pinches, as_number()},
+                               counted("misoriented edges", "misoriented_edges"),
+                               counted("self-intersections", "self_intersections")},
+                              false);
   table.remarks = {"Pinches are non-manifold edges and vertices together."};
   table.definitions = {"components",        "components_reference", "euler",
                        "euler_reference",   "reference_k",          "boundary_edges",
@@ -86,45 +85,40 @@ Table topology_table(const RunGrid& runs) {
 }
 
 Table distance_table(const RunGrid& runs) {
-  using R = RunRecord;
-  Table table = table_of_runs(
-      runs, "Distance to the surface F = c",
-      {{"mean mm", [](const R& r) { return r.measurement->distance.mean; }, to_significant(3)},
-       {"max mm", [](const R& r) { return r.measurement->distance.max; }, to_significant(3)},
-       {"mean voxels", [](const R& r) { return r.measurement->distance.mean_voxels; }, to_significant(3)},
-       {"max voxels", [](const R& r) { return r.measurement->distance.max_voxels; }, to_significant(3)},
-       {"vertices max mm", [](const R& r) { return r.measurement->distance.vertex_max; }, to_significant(3)},
-       {"from F = c mean mm", [](const R& r) { return r.measurement->distance_from_surface.mean; }, to_significant(3)},
-       {"from F = c max mm", [](const R& r) { return r.measurement->distance_from_surface.max; }, to_significant(3)},
-       counted("not projected", [](const Measurement& m) { return m.distance.unprojected; })});
+  Table table = table_of_runs(runs, "Distance to the surface F = c",
+                              {{"mean mm", figure_of("distance_mean"), to_significant(3)},
+                               {"max mm", figure_of("distance_max"), to_significant(3)},
+                               {"mean voxels", figure_of("distance_mean_voxels"), to_significant(3)},
+                               {"max voxels", figure_of("distance_max_voxels"), to_significant(3)},
+                               {"vertices max mm", figure_of("distance_vertex_max"), to_significant(3)},
+                               {"from F = c mean mm", figure_of("distance_from_surface_mean"), to_significant(3)},
+                               {"from F = c max mm", figure_of("distance_from_surface_max"), to_significant(3)},
+                               counted("not projected", "distance_unprojected")});
   table.definitions = {"distance_mean", "distance_max", "distance_vertex_max", "distance_from_surface_mean",
                        "distance_from_surface_max"};
   return table;
 }
 
 Table cost_table(const RunGrid& runs) {
-  using R = RunRecord;
-  Table table =
-      table_of_runs(runs, "Cost",
-                    {{"prepare s", [](const R& r) { return r.seconds_prepare; }, to_significant(3), true},
-                     {"sizing s", [](const R& r) { return r.seconds_sizing; }, to_significant(3), true},
-                     {"method s", [](const R& r) { return r.seconds_method; }, to_significant(3), true},
-                     {"sizing + method s", [](const R& r) { return r.seconds_total; }, to_significant(3), true},
-                     {"peak MB", [](const R& r) { return r.peak_memory_mb; }, to_significant(3)}});
+  Table table = table_of_runs(runs, "Cost",
+                              {{"prepare s", figure_of("seconds_prepare"), to_significant(3), true},
+                               {"sizing s", figure_of("seconds_sizing"), to_significant(3), true},
+                               {"method s", figure_of("seconds_method"), to_significant(3), true},
+                               {"sizing + method s", figure_of("seconds_total"), to_significant(3), true},
+                               {"peak MB", figure_of("peak_memory_mb"), to_significant(3)}});
   table.remarks = {
-      "Wall seconds. Prepare reads and prepares the volume; a method that asks for no sizing field pays none; metrics "
-      "and files are not counted. Peak memory is the process's, up to the finished mesh."};
+      "Wall seconds. Prepare reads and prepares the volume. A method that asks for no sizing field has 0 s for it. "
+      "Metrics and files are not counted. Peak memory is the process's, up to the finished mesh."};
   say_how_timed(runs, table);
   return table;
 }
 
 Table seed_table(const RunGrid& runs) {
-  using R = RunRecord;
-  const auto vertices = [](const R& r) { return static_cast<double>(r.measurement->vertices); };
-  const auto smallest = [](const R& r) { return r.measurement->radius_ratio.min; };
-  const auto average = [](const R& r) { return r.measurement->radius_ratio.avg; };
-  const auto six = [](const R& r) { return r.measurement->valence.v6_percent; };
-  const auto seconds = [](const R& r) { return r.seconds_total; };
+  const auto vertices = figure_of("vertices");
+  const auto smallest = figure_of("radius_ratio_min");
+  const auto average = figure_of("radius_ratio_avg");
+  const auto six = figure_of("valence_6_percent");
+  const auto seconds = figure_of("seconds_total");
   Table table;
   table.title = "Spread over seeds and repeats: median (smallest–largest)";
   table.header = {"Data",        "Method",  "vertices",           "radius ratio min", "radius ratio avg",

@@ -10,7 +10,7 @@
 
 namespace isobench {
 
-/// The tables of a results folder, for whatever they are to be written in; those without a row are left out.
+/// The tables of a results folder, without those that have no row.
 std::vector<Table> all_tables(const Results& results);
 
 // The single tables. Laid out as in Meyer, Kirby, Whitaker 2007.
@@ -21,12 +21,12 @@ Table edge_length_table(const Results& results, const RunGrid& runs);   ///< Fig
 Table topology_table(const RunGrid& runs);
 Table distance_table(const RunGrid& runs);
 Table cost_table(const RunGrid& runs);
-/// Of each method that tells of two stages or more, where its time goes: one row a run, one column a stage.
+/// One table for each method with two or more stages: where its time goes, one row a run, one column a stage.
 std::vector<Table> stage_tables(const RunGrid& runs);
-/// Of each method of which at least two variants differ from one and the same in a single parameter: what changing it
-/// does to quality, edges above h0, topology and seconds. One row a data set and change, the base before them.
+/// One table for each method with two or more variants that differ from a base in a single parameter: how the change
+/// affects quality, edges above h0, topology and seconds. One row a data set and change, after the row of the base.
 std::vector<Table> ablation_tables(const RunGrid& runs);
 Table seed_table(const RunGrid& runs);      ///< spread over seeds and repeats, and whether repeats agree
-Table match_table(const Results& results);  ///< what was matched to what, and how near it came
+Table match_table(const Results& results);  ///< which run was matched to which, and how closely
 
 }  // namespace isobench

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/tables/table_parts.h"
 #include "isobench/reports/tables/tables.h"
 
@@ -23,16 +24,13 @@ std::string sizing_cell(const RunRecord& record) {
   return fmt::format("{}, {}", sizing.epsilon.value_or(0.0), sizing.delta.value_or(0.0));
 }
 
-// ε and δ stand in one cell, so they are published as one.
+// ε and δ stand in one cell, so their published values do, too.
 TableCell with_published_sizing(TableCell cell, const Results& results, const Variant& variant,
                                 const std::string& dataset) {
   cell = with_published(std::move(cell), results, {"epsilon", "delta"}, dataset, variant.method);
   if (cell.published.size() == 2) cell.published = {cell.published[0] + ", " + cell.published[1]};
   return cell;
 }
-
-double triangles(const RunRecord& r) { return static_cast<double>(r.measurement->triangles); }
-double seconds(const RunRecord& r) { return r.seconds_total; }
 
 TableRow sizes_row(const Results& results, const RunGrid& arrangement, const Variant& variant,
                    const std::string& dataset, const Runs& runs) {
@@ -46,9 +44,10 @@ TableRow sizes_row(const Results& results, const RunGrid& arrangement, const Var
     row.insert(row.end(), {instead_of_figures(&record), "–", "–"});
     return row;
   }
-  row.push_back(beside_published(with_unit(over_timed(arrangement, runs, seconds, to_significant(3)), "s"), "minutes"));
+  row.push_back(beside_published(
+      with_unit(over_timed(arrangement, runs, figure_of("seconds_total"), to_significant(3)), "s"), "minutes"));
   row.push_back(beside_published(over(runs, vertices, as_number()), "vertices"));
-  row.push_back(beside_published(with_mark(over(runs, triangles, as_number()), marks(runs)), "triangles"));
+  row.push_back(beside_published(with_mark(over(runs, figure_of("triangles"), as_number()), marks(runs)), "triangles"));
   return row;
 }
 
@@ -57,29 +56,27 @@ TableCell ratio_cell(const Results& results, const Variant& variant, const std::
   TableCell cell = instead_of_figures(record);
   if (record != nullptr && record->status == Status::ok) {
     const Runs& runs = find_runs(variant, dataset);
-    cell = beside(over(
-                      runs, [](const RunRecord& r) { return r.measurement->radius_ratio.min; }, to_significant(3)),
-                  over(
-                      runs, [](const RunRecord& r) { return r.measurement->radius_ratio.avg; }, to_places(3)));
+    cell = beside(over(runs, figure_of("radius_ratio_min"), to_significant(3)),
+                  over(runs, figure_of("radius_ratio_avg"), to_places(3)));
     cell.mark = spread_label(runs) + marks(runs);
   }
   return with_published(std::move(cell), results, {"radius_ratio_min", "radius_ratio_avg"}, dataset, variant.method);
 }
 
 struct ValenceClass {
-  double ValenceFigures::*share;
+  const char* figure;
   Print print;
 };
 const std::array<ValenceClass, 5>& valence_classes() {
-  static const std::array<ValenceClass, 5> classes = {{{&ValenceFigures::lt5_percent, to_significant(3)},
-                                                       {&ValenceFigures::v5_percent, to_places(2)},
-                                                       {&ValenceFigures::v6_percent, to_places(2)},
-                                                       {&ValenceFigures::v7_percent, to_places(2)},
-                                                       {&ValenceFigures::gt7_percent, to_significant(3)}}};
+  static const std::array<ValenceClass, 5> classes = {{{"valence_lt5_percent", to_significant(3)},
+                                                       {"valence_5_percent", to_places(2)},
+                                                       {"valence_6_percent", to_places(2)},
+                                                       {"valence_7_percent", to_places(2)},
+                                                       {"valence_gt7_percent", to_significant(3)}}};
   return classes;
 }
 
-// The published means over the four data sets know only valence 6 and what lies outside 5 to 7.
+// The paper prints means over its four data sets only for valence 6 and for all outside 5 to 7.
 void add_published_average(const Results& results, const std::string& method, const std::string& name, Table& table) {
   if (!results.published) return;
   const PublishedFigure* six = results.published->find("valence_6_percent", "average", method);
@@ -89,7 +86,7 @@ void add_published_average(const Results& results, const std::string& method, co
       {"average", name, "–", "–", six->printed, "–", "below 5 and above 7 together: " + extreme->printed});
 }
 
-// The shares of a row, summed up for the average of a method over its data sets.
+// Sums of the percentages, for the average of a method over its data sets.
 struct ValenceSum {
   std::array<double, 5> shares{};
   int count = 0;
@@ -104,13 +101,12 @@ TableRow valence_row(const std::string& dataset, const Variant& variant) {
   const Runs& runs = find_runs(variant, dataset);
   TableRow row = {dataset, variant.name + spread_label(runs) + marks(runs)};
   for (const ValenceClass& valence : valence_classes()) {
-    const auto share = [&valence](const RunRecord& r) { return r.measurement->valence.*valence.share; };
-    row.push_back(over(runs, share, valence.print));
+    row.push_back(over(runs, figure_of(valence.figure), valence.print));
   }
   return row;
 }
 
-// Of closed manifolds alone or, where no mesh is one, of all, which is then marked.
+// The average of closed manifolds alone or, where no mesh is one, of all; that one is marked.
 void add_average(const Variant& variant, const ValenceSum& closed, const ValenceSum& open, Table& table) {
   const ValenceSum& sum = closed.count > 0 ? closed : open;
   const int left_out = closed.count > 0 ? open.count : 0;
@@ -152,21 +148,15 @@ TableRow edge_row(const Results& results, const Variant& variant, const std::str
   if (record->status != Status::ok) {
     return {dataset, variant.name + spread_label(runs), instead_of_figures(record), "–", "–", "–", published("–"), "–"};
   }
-  using R = RunRecord;
-  const auto exceed_count = [](const R& r) { return static_cast<double>(r.measurement->edges.exceed_count); };
+  const auto exceed_count = figure_of("edge_over_h0_exceed_count");
   return {dataset,
           variant.name + spread_label(runs) + marks(runs),
-          over(
-              runs, [](const R& r) { return r.measurement->edges.over_h0_max; }, to_significant(4)),
+          over(runs, figure_of("edge_over_h0_max"), to_significant(4)),
           over(runs, exceed_count, as_number()),
-          over(
-              runs, [](const R& r) { return r.measurement->edges.exceed_percent; }, to_significant(3)),
-          over(
-              runs, [](const R& r) { return r.measurement->edges.exceed_triangle_percent; }, to_significant(3)),
-          published(over(
-              runs, [](const R& r) { return r.measurement->edges.own_exceed_triangle_percent; }, to_significant(3))),
-          over(
-              runs, [](const R& r) { return r.measurement->edges.floor_area_percent; }, to_significant(3))};
+          over(runs, figure_of("edge_over_h0_exceed_percent"), to_significant(3)),
+          over(runs, figure_of("edge_over_h0_exceed_triangle_percent"), to_significant(3)),
+          published(over(runs, figure_of("edge_over_own_h0_exceed_triangle_percent"), to_significant(3))),
+          over(runs, figure_of("floor_area_percent"), to_significant(3))};
 }
 
 }  // namespace
@@ -181,8 +171,7 @@ Table sizes_table(const Results& results, const RunGrid& runs) {
       if (!group.empty()) table.rows.push_back(sizes_row(results, runs, variant, dataset, group));
     }
   }
-  table.remarks = {
-      "Time is that of sizing and method together, from the prepared volume in memory to the finished mesh."};
+  table.remarks = {"Time covers sizing and method, from the prepared volume in memory to the finished mesh."};
   say_how_timed(runs, table);
   table.source = source_line(results, "Table 1");
   return table;
@@ -240,9 +229,8 @@ Table edge_length_table(const Results& results, const RunGrid& runs) {
     }
   }
   table.remarks = {
-      "h0 is the same for every method; own h0 is that of the sizing field which a method made for itself, from "
-      "another "
-      "medial axis say, and what the paper counts against: h0 as its own particles were driven by it."};
+      "h0 is the same for every method. Own h0 belongs to the sizing field that a method computed for itself, for "
+      "example from another medial axis. The paper counts against its own h0."};
   table.definitions = {"edge_over_h0_max", "edge_over_h0_exceed_percent", "edge_over_h0_exceed_triangle_percent",
                        "edge_over_own_h0_exceed_triangle_percent", "floor_area_percent"};
   table.source = source_line(results, "Figure 4");

@@ -41,8 +41,8 @@ Results results_for_tables() {
   results.title = "A test";
   results.records = {sample_record("pelvis", "particles"), sample_record("pelvis", "marching-cubes"),
                      sample_record("skull", "particles"), sample_record("skull", "marching-cubes")};
-  results.records[2].measurement->topology.nonmanifold_vertices = 2;
-  results.records[2].measurement->topology.nonmanifold_edges = 1;
+  results.records[2].measurement->set("nonmanifold_vertices", 2);
+  results.records[2].measurement->set("nonmanifold_edges", 1);
   results.records[3].status = Status::timeout;
   results.records[3].reason = "not finished after 20 minutes";
   results.records[3].measurement.reset();
@@ -56,7 +56,7 @@ TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
   EXPECT_TRUE(stage_tables(arrange_runs(results)).empty());
   results.records[0].stages = {{"prepare", 9.0, 9.0},    {"mesh/sizing", 0.5, 1.0}, {"mesh/seeds/inner", 0.75, 1.0},
                                {"mesh/seeds", 1.0, 1.5}, {"mesh", 2.0, 3.0},        {"measure/shape", 0.5, 0.5}};
-  results.records[0].measurement->vertices = 1000;
+  results.records[0].measurement->set("vertices", 1000);
   const auto tables = stage_tables(arrange_runs(results));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].title, "Seconds by stage: particles");
@@ -99,7 +99,7 @@ TEST(Tables, SizesSayWhatTheyAreOf) {
 
 TEST(Tables, ValencesHaveTheirAverages) {
   Results results = results_for_tables();
-  results.records[2].measurement->valence.v6_percent = 66.0;
+  results.records[2].measurement->set("valence_6_percent", 66.0);
   const Table table = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(table, {"pelvis", "particles"})[4], "64.00");
   // The skull's mesh is no closed manifold.
@@ -127,7 +127,7 @@ TEST(Tables, TopologyCountsPinchesAndMarksThem) {
 
 TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
   Results results = results_for_tables();
-  results.records[2].measurement->edges.own_exceed_triangle_percent = 0.002;
+  results.records[2].measurement->set("edge_over_own_h0_exceed_triangle_percent", 0.002);
   const auto row = find_row(edge_length_table(results, arrange_runs(results)), {"skull", "particles †"});
   EXPECT_EQ(row[2], "1.250");
   EXPECT_EQ(row[3], "3");
@@ -188,7 +188,7 @@ TEST(Tables, SeveralSizingsAreToldApartAndSeedsAreTheirSpread) {
       results.records.push_back(sample_record("skull", "particles"));
       results.records.back().request.sizing.epsilon = epsilon;
       results.records.back().request.seed = seed;
-      results.records.back().measurement->vertices = 1000 + 100 * seed * seed;
+      results.records.back().measurement->set("vertices", 1000 + 100 * seed * seed);
       results.records.back().seconds_total = 1.0 / static_cast<double>(seed);
     }
   }
@@ -232,11 +232,11 @@ TEST(Tables, UnfinishedRunsOfAGroupAreCountedAndLeftOut) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     results.records.push_back(sample_record("skull", "particles"));
     results.records.back().request.seed = seed;
-    results.records.back().measurement->vertices = 1000 * seed;
+    results.records.back().measurement->set("vertices", 1000 * seed);
   }
   results.records[0].status = Status::timeout;
   results.records[0].measurement.reset();
-  results.records[1].measurement->topology.boundary_edges = 4;
+  results.records[1].measurement->set("boundary_edges", 4);
   const std::string some = "particles (3 seeds, 1 timeout, 1 † left out)";
   EXPECT_EQ(find_row(sizes_table(results, arrange_runs(results)), {"skull", some})[5], "3000");
   EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"particles"})[1],
@@ -251,8 +251,8 @@ TEST(Tables, WhereNoMeshIsAClosedManifoldAllCountAndAreMarked) {
   for (const std::uint64_t seed : {1, 2}) {
     results.records.push_back(sample_record("skull", "particles"));
     results.records.back().request.seed = seed;
-    results.records.back().measurement->vertices = 1000 * seed;
-    results.records.back().measurement->topology.nonmanifold_vertices = 1;
+    results.records.back().measurement->set("vertices", 1000 * seed);
+    results.records.back().measurement->set("nonmanifold_vertices", 1);
   }
   const auto row = find_row(sizes_table(results, arrange_runs(results)), {"skull", "particles (2 seeds)"});
   EXPECT_EQ(row[5], "1500 (1000–2000)");
@@ -265,15 +265,15 @@ TEST(Tables, TheAverageOverDataSetsLeavesOutWhatIsNoClosedManifold) {
   const std::vector<std::string> names = {"brain", "pelvis", "skull"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     results.records.push_back(sample_record(names[i], "particles"));
-    results.records.back().measurement->valence.v6_percent = shares[i];
+    results.records.back().measurement->set("valence_6_percent", shares[i]);
   }
-  results.records[2].measurement->topology.boundary_edges = 4;
+  results.records[2].measurement->set("boundary_edges", 4);
   const Table some = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(some, {"average of 2, 1 † left out", "particles"})[4], "65.00");
-  for (RunRecord& record : results.records) record.measurement->topology.boundary_edges = 4;
+  for (RunRecord& record : results.records) record.measurement->set("boundary_edges", 4);
   const Table none = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(none, {"average of 3", "particles †"})[4], "75.00");
-  for (RunRecord& record : results.records) record.measurement->topology.boundary_edges = 0;
+  for (RunRecord& record : results.records) record.measurement->set("boundary_edges", 0);
   const Table all = valence_table(results, arrange_runs(results));
   EXPECT_EQ(find_row(all, {"average of 3", "particles"})[4], "75.00");
 }
@@ -287,7 +287,7 @@ TEST(Tables, SayWhatWasMatchedAndWhatCouldNotBe) {
   EXPECT_TRUE(match_table({}).empty());
   results.records[1].match = MatchRecord{1000.0, 0.8765, 3, ""};
   results.records[2].match = MatchRecord{1000.0, 1.0, 3, "its number of vertices does not follow the sizing"};
-  results.records[2].measurement->vertices = 1500;
+  results.records[2].measurement->set("vertices", 1500);
   const Table matches = match_table(results);
   const auto near = find_row(matches, {"skull", "cvt"});
   EXPECT_EQ(near, (std::vector<std::string>{"skull", "cvt", "particles", "1002", "1000", "0.20", "0.8765", "3"}));

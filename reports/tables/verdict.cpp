@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/tables/table_parts.h"
@@ -14,7 +15,7 @@ namespace isobench {
 
 namespace {
 
-// Of seconds only those that compare.
+// Seconds count only from runs that were timed alike.
 double median_of(const RunGrid& arrangement, const Runs& runs, const Question& question) {
   std::vector<double> values;
   for (const RunRecord* run :
@@ -23,7 +24,7 @@ double median_of(const RunGrid& arrangement, const Runs& runs, const Question& q
   return spread_of(std::move(values)).median;
 }
 
-// "3 of 4": of the finished runs of a method, those that pass.
+// "3 of 4": how many of the runs pass.
 template <class Test>
 TableCell share(const Runs& runs, Test&& passes) {
   const auto count = std::count_if(runs.begin(), runs.end(), [&passes](const RunRecord* run) { return passes(*run); });
@@ -32,8 +33,14 @@ TableCell share(const Runs& runs, Test&& passes) {
 
 bool right_topology(const RunRecord& run) {
   const Measurement& m = *run.measurement;
-  return m.topology.closed_manifold() && m.topology.euler == m.reference.euler &&
-         m.topology.components == m.reference.components;
+  return is_closed_manifold(m) && m.number("euler") == m.number("euler_reference") &&
+         m.number("components") == m.number("components_reference");
+}
+
+// Which value is better, and the unit, are declared with the figure.
+Question ask(const std::string& name, const std::string& figure, int digits = 3, bool timed = false) {
+  const FigureDeclaration& declared = figure_declaration(figure);
+  return {name, figure, declared.better == Better::larger, declared.unit, digits, timed};
 }
 
 TableCell figure_cell(double value, const Print& print) {
@@ -46,15 +53,15 @@ TableCell figure_cell(double value, const Print& print) {
 
 const std::vector<Question>& questions() {
   static const std::vector<Question> all = {
-      {"Worst triangle: radius ratio", "radius_ratio_min", true, "", 3},
-      {"Triangles on average: radius ratio", "radius_ratio_avg", true, "", 3},
-      {"Smallest angle", "angle_min", true, "°", 3},
-      {"Largest angle", "angle_max", false, "°", 3},
-      {"Vertices of valence 6", "valence_6_percent", true, "%", 3},
-      {"Edges longer than h0", "edge_over_h0_exceed_percent", false, "%", 2},
-      {"Mean distance to the surface", "distance_mean", false, "mm", 3},
-      {"Time, sizing and method", "seconds_total", false, "s", 3, true},
-      {"Peak memory", "peak_memory_mb", false, "MB", 3},
+      ask("Worst triangle: radius ratio", "radius_ratio_min"),
+      ask("Triangles on average: radius ratio", "radius_ratio_avg"),
+      ask("Smallest angle", "angle_min"),
+      ask("Largest angle", "angle_max"),
+      ask("Vertices of valence 6", "valence_6_percent"),
+      ask("Edges longer than h0", "edge_over_h0_exceed_percent", 2),
+      ask("Mean distance to the surface", "distance_mean"),
+      ask("Time, sizing and method", "seconds_total", 3, true),
+      ask("Peak memory", "peak_memory_mb"),
   };
   return all;
 }
@@ -85,7 +92,7 @@ Best best(const Question& question, const RunGrid& runs, const std::string& data
 
 Table best_table(const RunGrid& runs) {
   Table table;
-  table.title = "Best at what, on which data";
+  table.title = "The best method for each question and data set";
   table.header = {"Asked"};
   table.header.insert(table.header.end(), runs.datasets.begin(), runs.datasets.end());
   table.label_columns = 1;
@@ -105,7 +112,7 @@ Table best_table(const RunGrid& runs) {
 
 Table methods_table(const RunGrid& runs) {
   Table table;
-  table.title = "The methods at a glance, over all data sets";
+  table.title = "Overview of the methods, over all data sets";
   table.header = {"Method",
                   "Finished",
                   "Closed manifold",
@@ -137,10 +144,10 @@ Table methods_table(const RunGrid& runs) {
     double vertices = 0.0;
     double seconds = 0.0;
     for (const RunRecord* run : done) {
-      smallest = std::min(smallest, run->measurement->radius_ratio.min);
-      average += run->measurement->radius_ratio.avg / static_cast<double>(done.size());
-      six += run->measurement->valence.v6_percent / static_cast<double>(done.size());
-      vertices += static_cast<double>(run->measurement->vertices);
+      smallest = std::min(smallest, run->measurement->number("radius_ratio_min"));
+      average += run->measurement->number("radius_ratio_avg") / static_cast<double>(done.size());
+      six += run->measurement->number("valence_6_percent") / static_cast<double>(done.size());
+      vertices += run->measurement->number("vertices");
       seconds += run->seconds_total;
     }
     row.push_back(share(done, sound));
@@ -149,15 +156,15 @@ Table methods_table(const RunGrid& runs) {
     row.push_back(figure_cell(average, to_significant(3)));
     row.push_back(figure_cell(six, to_significant(3)));
     row.push_back(figure_cell(vertices, as_number()));
-    // A sum that lacks some of its runs would be no sum of them all.
+    // Without some of its runs the sum would be too small.
     const bool alike = runs_with_timing(done, runs.timing).size() == done.size();
     row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
     row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
     table.rows.push_back(std::move(row));
   }
   table.remarks = {
-      "Averages are over the finished runs, each counting the same. What the surface's own χ and components are is "
-      "counted without any mesh, on a refined lattice: see the topology table."};
+      "Averages are over the finished runs; each run counts the same. The surface's own χ and components are counted "
+      "without any mesh, on a refined lattice: see the topology table."};
   say_how_timed(runs, table);
   return table;
 }

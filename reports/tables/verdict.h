@@ -1,4 +1,4 @@
-// Which method is best at what, on which data, at what cost: what a reader wants to know first.
+// Which method is best at what, on which data, at what cost: the first thing that a reader wants to know.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace isobench {
 struct Question {
   std::string name;    ///< "Worst triangle"
   std::string figure;  ///< as figure_value() knows it
-  bool larger = true;  ///< is better
+  bool larger = true;  ///< a larger value is better
   std::string unit;
-  int digits = 3;      ///< significant: what prints alike counts alike
-  bool timed = false;  ///< seconds: asked only of runs that were timed alike
+  int digits = 3;      ///< significant digits; values that print alike count as equal
+  bool timed = false;  ///< only runs that were timed alike count
 };
 const std::vector<Question>& questions();
 

@@ -1,0 +1,53 @@
+#include "isobench/metrics/distance/distance.h"
+#include "isobench/metrics/metric_input.h"
+
+namespace isobench {
+namespace {
+
+void measure(MetricInput& input, MetricOutput& output) {
+  std::vector<double> at_vertices;
+  const DistanceFigures figures = measure_distance(input.mesh(), input.edges(), input.surface(), &at_vertices);
+  output.set("distance_mean", figures.mean);
+  output.set("distance_max", figures.max);
+  output.set("distance_vertex_max", figures.vertex_max);
+  output.set("distance_mean_voxels", figures.mean_voxels);
+  output.set("distance_max_voxels", figures.max_voxels);
+  output.set("distance_unprojected", static_cast<double>(figures.unprojected));
+  output.add_vertex_data("distance", std::move(at_vertices));
+}
+
+FigureDeclaration distance(const std::string& name, const std::string& unit, const std::string& definition,
+                           int column) {
+  return {.name = name, .unit = unit, .definition = definition, .better = Better::smaller, .column = column};
+}
+
+}  // namespace
+
+Metric metric_distance() {
+  Metric metric;
+  metric.name = "distance";
+  metric.needs = Needs::surface;
+  metric.in_every_record = true;
+  metric.figures = {
+      distance("distance_mean", "mm",
+               "Mean distance of the mesh to the surface F = c, weighted by area. It is taken at the corners, edge "
+               "midpoints and centroid of each triangle. Newton's steps along the gradient lead from a point to the "
+               "surface, and the distance is to the place that they reach; where they do not reach the surface, it is "
+               "|F − c|/|∇F|.",
+               29),
+      distance("distance_max", "mm", "Largest distance of those points to the surface F = c.", 30),
+      distance("distance_vertex_max", "mm", "Largest distance of a vertex to the surface F = c.", no_column),
+      distance("distance_mean_voxels", "voxels",
+               "distance_mean in voxels. A voxel is the geometric mean of the lattice's spacings.", no_column),
+      distance("distance_max_voxels", "voxels", "distance_max in voxels.", no_column),
+      {.name = "distance_unprojected",
+       .definition = "Number of points from which Newton's steps did not reach the surface; their distance is "
+                     "|F − c|/|∇F|.",
+       .kind = Kind::count,
+       .better = Better::smaller,
+       .column = no_column}};
+  metric.measure = measure;
+  return metric;
+}
+
+}  // namespace isobench

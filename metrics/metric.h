@@ -1,0 +1,116 @@
+// The one interface of every metric.
+//
+// A metric is a folder under metrics/ with a `metric.cpp` that defines, for a folder `my_metric`,
+// `isobench::Metric isobench::metric_my_metric()`. CMake finds the folder, compiles every .cpp in it and lists the
+// function in a generated registry. README.md has a complete example.
+//
+// The declaration is the only place that names a figure: results.csv, run.json, tables, LaTeX macros, claims,
+// `isobench list` and `isobench compare` read it from here.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isobench/metrics/histogram.h"
+
+namespace isobench {
+
+/// How many times finer than the data's lattice the surface's own topology is counted, unless another number is asked
+/// for: sheets of a third of a voxel survive.
+inline constexpr int default_reference_k = 3;
+
+/// What a metric needs besides the mesh. Where that is not given, the metric's figures are "not measured".
+enum class Needs {
+  mesh,     ///< nothing
+  surface,  ///< the isosurface F = c
+  sizing,   ///< the sizing field that the mesh was asked for
+};
+
+enum class Kind {
+  number,
+  count,    ///< a whole number of at least 0
+  integer,  ///< a whole number of either sign
+};
+
+/// When `isobench compare` takes two values of a figure for the same.
+enum class Compared {
+  within_tolerance,  ///< they differ by no more than --tolerance, relative to the larger one
+  exactly,           ///< they are equal, whatever the tolerance
+};
+
+enum class Better { neither, larger, smaller };
+
+/// Places of FigureDeclaration::column.
+inline constexpr int no_column = 0;
+inline constexpr int cost_columns = 500;  ///< figures before it stand left of the columns about seconds and memory
+inline constexpr int last_column = 1000;
+
+struct FigureDeclaration {
+  std::string name{};        ///< lower case and underscores; of all metrics only this one may use it
+  std::string unit{};        ///< "mm", "%"; "" for none
+  std::string definition{};  ///< one or more sentences
+  Kind kind = Kind::number;
+  Compared compared = Compared::within_tolerance;
+  Better better = Better::neither;
+  /// Which meshes have no such figure, to go on from "Not measured where": "the mesh is not closed"; "" for none.
+  std::string unmeasured{};
+  /// Columns of results.csv are sorted by this number, then by the order of declared_figures(). The columns that the
+  /// first versions had keep their numbers; a new one has last_column. no_column: not in results.csv.
+  int column = last_column;
+};
+
+/// A histogram with its bins. A histogram of whole numbers has no bins declared: bin n counts the value n, and there
+/// are as many as the largest value needs.
+struct HistogramDeclaration {
+  std::string name{};
+  double low = 0.0;
+  double high = 0.0;
+  std::size_t bins = 0;
+
+  Histogram empty() const { return {low, high, bins}; }
+};
+
+class MetricInput;
+class MetricOutput;
+
+struct Metric {
+  std::string name{};  ///< the folder's
+  Needs needs = Needs::mesh;
+  /// The monitor's stage that its seconds are booked to; "" for a stage of the metric's name.
+  std::string stage{};
+  /// Every run.json has these figures: one that lacks any is damaged. Leave it false for a new metric: records that
+  /// are older than it are read, and its figures are unknown there.
+  bool in_every_record = false;
+  std::vector<FigureDeclaration> figures{};
+  std::vector<HistogramDeclaration> histograms{};
+  /// Sets the figures that it can measure; the others stay "not measured". Called only where what it needs is given.
+  void (*measure)(MetricInput& input, MetricOutput& output) = nullptr;
+};
+
+/// All metrics, in the order of their first columns in results.csv, then of their names.
+const std::vector<Metric>& metrics();
+
+/// The same for any list. Throws std::logic_error where a figure or histogram is declared twice, or a declaration
+/// lacks its definition.
+std::vector<Metric> sorted_and_checked(std::vector<Metric> metrics);
+
+/// The figures of all metrics, in the metrics' order.
+const std::vector<FigureDeclaration>& declared_figures();
+const std::vector<HistogramDeclaration>& declared_histograms();
+
+/// Where a figure stands in declared_figures(). Throws std::logic_error, with the nearest name, for one that no metric
+/// declares: a name in the program's own code is misspelt.
+std::size_t figure_index(std::string_view name);
+std::size_t histogram_index(std::string_view name);
+const FigureDeclaration& declared_figure(std::string_view name);
+
+/// The metrics that declare the n-th figure and the n-th histogram.
+const Metric& metric_of_figure(std::size_t index);
+const Metric& metric_of_histogram(std::size_t index);
+
+/// The definition with what it says about meshes that have no such figure.
+std::string full_definition(const FigureDeclaration& figure);
+
+}  // namespace isobench

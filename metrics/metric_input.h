@@ -1,0 +1,62 @@
+// What a metric is given to measure, and where it puts what it measured.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isobench/metrics/measurement.h"
+#include "isobench/metrics/mesh_edges.h"
+
+namespace isobench {
+
+/// A mesh with what it is measured against. Parts that several metrics need are computed when first asked for, and
+/// kept; one metric is measured at a time, so there is no locking.
+class MetricInput {
+ public:
+  /// Keeps references.
+  MetricInput(const TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor)
+      : mesh_(mesh), against_(against), monitor_(monitor) {}
+
+  /// In the lattice frame of the surface; a mesh that is measured without a surface is in its file's frame.
+  const TriangleMesh& mesh() const { return mesh_; }
+  const Isosurface& surface() const { return *against_.surface; }  ///< precondition: the metric needs it
+  const SizingField& sizing() const { return *against_.sizing; }   ///< precondition: the metric needs it
+  int reference_k() const { return against_.reference_k; }
+  Monitor& monitor() const { return monitor_; }
+
+  const std::vector<HalfEdge>& half_edges();
+  const MeshEdges& edges();
+  /// h0 at each vertex, mm. Precondition: the metric needs the sizing. One interpolation a vertex, all threads.
+  const std::vector<double>& h0();
+
+ private:
+  const TriangleMesh& mesh_;
+  const MeasuredAgainst& against_;
+  Monitor& monitor_;
+  std::optional<std::vector<HalfEdge>> half_edges_;
+  std::optional<MeshEdges> edges_;
+  std::optional<std::vector<double>> h0_;
+};
+
+/// Takes what one metric measures. Throws std::logic_error for a figure or histogram that this metric does not declare.
+class MetricOutput {
+ public:
+  MetricOutput(const Metric& metric, Measurement& measurement, TriangleMesh& mesh)
+      : metric_(metric), measurement_(measurement), mesh_(mesh) {}
+
+  /// std::nullopt, or a number that is not finite, leaves the figure "not measured".
+  void set(std::string_view figure, std::optional<double> value);
+  void set(std::string_view histogram, Histogram counts);
+  /// Arrays for a reader to look at; they are stored with the mesh.
+  void add_vertex_data(const std::string& name, std::vector<double> values);
+  void add_triangle_data(const std::string& name, std::vector<double> values);
+
+ private:
+  const Metric& metric_;
+  Measurement& measurement_;
+  TriangleMesh& mesh_;
+};
+
+}  // namespace isobench
