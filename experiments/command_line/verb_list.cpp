@@ -35,6 +35,8 @@ std::string range(const ParameterSpec& spec) {
     return spec.choices.empty() ? "text" : fmt::format("one of {}", fmt::join(spec.choices, ", "));
   }
   std::string text = spec.integer ? "whole number" : "number";
+  if (std::isfinite(spec.min) && std::isfinite(spec.max))
+    return fmt::format("{} from {} to {}", text, spec.min, spec.max);
   if (std::isfinite(spec.min)) text += fmt::format(", at least {}", spec.min);
   if (std::isfinite(spec.max)) text += fmt::format(", at most {}", spec.max);
   return text;
