@@ -23,10 +23,10 @@ struct Defects {
 };
 
 struct CureOptions {
-  int relaxations = 0;          ///< maximum number of rounds that add particles and relax their surroundings
-  int rounds = 20;              ///< maximum number of rounds after them that only add particles
-  double least_h = 0.0;         ///< mm: the relaxations do not make h smaller than this
-  PopulationLimits population;  ///< population control of the relaxations
+  int relaxations = 0;               ///< maximum number of rounds that add particles and relax their surroundings
+  int rounds = 20;                   ///< maximum number of rounds after them that only add particles
+  double least_h = 0.0;              ///< mm: the relaxations do not make h smaller than this
+  PopulationLimits population = {};  ///< population control of the relaxations
 };
 
 struct CureResult {

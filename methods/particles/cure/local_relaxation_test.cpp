@@ -117,7 +117,7 @@ TEST_F(LocalRelaxationTest, ASecondTimeShrinksFurther) {
 TEST_F(LocalRelaxationTest, FollowsThePopulationLimits) {
   const std::size_t usual = run().added.size();
   SizedSurface again(surface, field);
-  const Exchange fewer = relax_around(centres, again, all, 0.0, {.delete_above = 1.05}, monitor);
+  const Exchange fewer = relax_around(centres, again, all, 0.0, {.delete_above = 0.7}, monitor);
   EXPECT_LT(fewer.added.size(), usual);
   SizedSurface once_more(surface, field);
   const Exchange more =
