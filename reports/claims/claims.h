@@ -1,4 +1,4 @@
-// Whether stored results bear out what a publication claims (reports/published/published_claim.h).
+// Tests the claims of a publication (reports/published/published_claim.h) on stored results.
 #pragma once
 
 #include <string>

@@ -39,7 +39,7 @@ Published published_with(const std::string& claim) {
   return read_published(folder.write("claims.toml", claims_head + claim));
 }
 
-// A run whose figures of interest are given.
+// A run with this smallest radius ratio and this percentage of extreme valences.
 RunRecord run(const std::string& dataset, const std::string& method, double worst, double extreme = 0.0) {
   RunRecord record = sample_record(dataset, method);
   record.measurement->set("radius_ratio_min", worst);
@@ -230,7 +230,8 @@ std::vector<RunRecord> sweep_aside(const std::string& dataset, const std::string
 }
 
 TEST(Claims, ATrendIsSeenInRunsThatAreAside) {
-  // As in paper.toml: the tables have one sizing a data set, the sweep is a labelled variant of a relative.
+  // As in paper.toml: the tables have one sizing for each data set, and the sweep is a labelled variant of
+  // `particles`.
   std::vector<RunRecord> records = {run("skull", "particles-2007", 0.3), run("skull", "particles", 0.3),
                                     run("brain", "particles", 0.2)};
   EXPECT_EQ(judge(trend, records).summary, "not testable here: no two runs differ in delta alone");

@@ -68,7 +68,7 @@ std::string banner(const Results& results, const Exhibits& exhibits) {
 // Links to the sections that exist.
 std::string navigation(const std::string& body) {
   static const std::vector<std::pair<const char*, const char*>> sections = {{"summary", "Summary"},
-                                                                            {"gaps", "Failures and skips"},
+                                                                            {"gaps", "Failed or not done"},
                                                                             {"claims", "Published claims"},
                                                                             {"figures", "Figures of the paper"},
                                                                             {"turn", "3D"},

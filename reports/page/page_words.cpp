@@ -175,7 +175,7 @@ std::string gaps_html(const Results& results) {
     text += paragraph(fmt::format("And {} more runs that failed or were skipped.", gaps - most_rows));
   if (shown < results.missing.size())
     text += paragraph(fmt::format("And {} more runs that are not done yet.", results.missing.size() - shown));
-  return "<section id=\"gaps\"><h2>Failures and skips</h2>\n" + text + "</section>\n";
+  return "<section id=\"gaps\"><h2>Failed, skipped or not done yet</h2>\n" + text + "</section>\n";
 }
 
 std::string claims_html(const Results& results) {

@@ -17,9 +17,9 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-// The name under which the protocol hands over an element.
+// The key of an element in the JSON of the protocol.
 constexpr const char* element_key = "element-6066-11e4-a52e-4f735466cecf";
-constexpr int patience = 60;  // seconds: a busy machine takes a while to start a browser
+constexpr int patience = 60;  // seconds; a busy machine starts a browser slowly
 
 std::size_t take(char* data, std::size_t size, std::size_t count, void* text) {
   static_cast<std::string*>(text)->append(data, size * count);
@@ -44,7 +44,7 @@ std::string request(const std::string& method, const std::string& address, const
   return answer;
 }
 
-// The driver chooses a port of its own and says which.
+// The driver chooses a port and prints it.
 int announced_port(const fs::path& log) {
   for (int tries = 0; tries < 10 * patience; ++tries) {
     const std::string text = read_text_or_empty(log);
@@ -81,7 +81,7 @@ Browser::Browser(const fs::path& folder)
   const Json arguments = {"--headless",
                           "--no-sandbox",
                           "--disable-gpu",
-                          "--enable-unsafe-swiftshader",  // WebGL by the processor
+                          "--enable-unsafe-swiftshader",  // WebGL on the processor
                           "--disable-dev-shm-usage",
                           "--disable-quic",
                           "--no-first-run",
@@ -99,7 +99,7 @@ Browser::Browser(const fs::path& folder)
 Browser::~Browser() {
   try {
     if (!session_.empty()) call("DELETE", "/session/" + session_, Json::object());
-  } catch (const std::exception&) {  // the driver is killed anyway, and its browsers with it
+  } catch (const std::exception&) {  // the driver is ended below in any case
   }
 }
 
@@ -176,7 +176,7 @@ Json Browser::log(const std::string& kind) { return session("/se/log", {{"type",
 std::vector<std::string> Browser::complaints() {
   std::vector<std::string> lines;
   for (const Json& entry : log("browser")) {
-    // The driver's own pictures make OpenGL complain of a lack of speed.
+    // Screenshots of the driver cause warnings of OpenGL about speed.
     if (entry.at("level") != "INFO" && entry.at("source") != "rendering")
       lines.push_back(entry.at("message").get<std::string>());
   }
@@ -189,7 +189,7 @@ std::vector<std::string> Browser::requests() {
     const Json event = Json::parse(entry.at("message").get<std::string>()).at("message");
     if (event.at("method") != "Network.requestWillBeSent") continue;
     const std::string address = event.at("params").at("request").at("url").get<std::string>();
-    // The browser starts with a page of its own.
+    // The browser opens with its own start page.
     const bool own = address.starts_with("file:") || address.starts_with("data:") || address.starts_with("chrome:");
     if (!own) addresses.push_back(address);
   }

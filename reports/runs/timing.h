@@ -11,7 +11,7 @@ namespace isobench {
 /// runs that differ in this must not be compared.
 std::string timing_of(const RunRecord& record);
 
-/// The timing_of() most finished runs; of equally frequent ones the first. "" if no run is finished.
+/// The most frequent timing_of() of the finished runs; of equally frequent ones the first. "" if no run is finished.
 std::string usual_timing(const RunGrid& runs);
 
 /// The runs with this timing_of().
