@@ -26,7 +26,7 @@ const std::vector<Case>& cases() {
       {"memory", "echo words; x=$(head -c 700000000 /dev/zero | tr '\\0' x); sleep 100; echo ${#x}",
        Status::out_of_memory, "needed more than 0.5 GB"},
       {"nothing", "echo words", Status::failed, "did not write output.ply"},
-      {"elsewhere", "echo words; cp $1 other.ply", Status::failed, "what it wrote there: other.ply"},
+      {"elsewhere", "echo words; cp $1 other.ply", Status::failed, "it wrote other.ply there"},
       {"broken", "echo words; head -c 3000 $1 > $2", Status::failed, "output.ply: "},
   };
   return all;
