@@ -150,7 +150,7 @@ Table methods_table(const RunGrid& runs) {
       vertices += run->measurement->number("vertices");
       seconds += run->seconds_total;
     }
-    row.push_back(share(done, is_closed_manifold));
+    row.push_back(share(done, [](const RunRecord& run) { return is_closed_manifold(run); }));
     row.push_back(share(done, right_topology));
     row.push_back(figure_cell(smallest, to_significant(3)));
     row.push_back(figure_cell(average, to_significant(3)));
