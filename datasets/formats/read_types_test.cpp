@@ -5,6 +5,7 @@
 
 #include "isobench/datasets/formats/oblique_files.h"
 #include "isobench/datasets/formats/read_volume.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {

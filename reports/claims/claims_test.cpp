@@ -242,7 +242,7 @@ TEST(Claims, ATrendIsSeenInRunsThatAreAside) {
   EXPECT_EQ(held.findings[0].data, "box, unfinished, ε 1");
   EXPECT_EQ(held.findings[0].ours, "δ 0.6: 0.100, δ 0.3: 0.200, δ 0.15: 0.300");
   EXPECT_EQ(held.findings[1].data, "box, unfinished, ε 0.5");
-  records.back().measurement->radius_ratio.min = 0.15;
+  records.back().measurement->set("radius_ratio_min", 0.15);
   EXPECT_EQ(judge(trend, records).summary, "not held on box, unfinished, ε 0.5");
   records.back() = unfinished(records.back());
   EXPECT_EQ(judge(trend, records).summary, "held as far as it could be tested (δ 0.15: unfinished: timeout)");
