@@ -140,9 +140,9 @@ TEST_F(CatalogueOfOne, TakesFilesOutOfADebianPackage) {
                "Package: balls\nVersion: 1\nArchitecture: all\nMaintainer: nobody <n@example.org>\nDescription: x\n");
   folder.write("package/usr/share/balls/images/ball.nrrd", ball);
   const std::string root = folder.path().string();
-  const std::string data = root + "/package/usr/share/balls";
-  ASSERT_TRUE(run_command({"tar", "-C", data, "-czf", data + "/data.tar.gz", "images"}).exit.succeeded());
-  std::filesystem::remove_all(data + "/images");
+  const std::string shared = root + "/package/usr/share/balls";
+  ASSERT_TRUE(run_command({"tar", "-C", shared, "-czf", shared + "/data.tar.gz", "images"}).exit.succeeded());
+  std::filesystem::remove_all(shared + "/images");
   ASSERT_TRUE(run_command({"dpkg-deb", "--build", root + "/package", root + "/balls_1_all.deb"}).exit.succeeded());
   // Stands in for the package archive.
   write_program(folder, "apt-get", "test \"$1 $2\" = 'download balls' && cp " + root + "/balls_1_all.deb .");
