@@ -201,22 +201,25 @@ ParameterSchema schema() {
   ParameterSpec command{"command", std::string(), "", "the program and its arguments, with {placeholders}"};
   command.required = true;
   command.problem = command_problem;
-  ParameterSpec version{"version", std::string(), "", "a command that prints the version of the program as its last line"};
+  ParameterSpec version{"version", std::string(), "",
+                        "a command that prints the version of the program as its last line"};
   version.problem = version_problem;
-  return {command,
-          version,
-          file("volume", "volume.nrrd", "name of the file {volume}, NRRD or VTI", name_problem<volume_endings>),
-          choice("values", {"coefficients", "nodes", "samples"},
-                 "what the volume contains: the coefficients of the spline, F at the nodes, or the prepared samples"),
-          file("mesh", "mesh.ply", "name of the file {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
-          file("sizing", "sizing.nrrd", "name of the file {sizing}, h at the nodes in mm", name_problem<volume_endings>),
-          choice("frame", {"lattice", "world"}, "frame of the files that the program gets"),
-          file("output", "output.ply", "name of the file {output}, the mesh or points that the program writes",
-               name_problem<output_endings>),
-          choice("returns", {"mesh", "points"}, "what the output contains; .nrrd, .nhdr, .xyz and .txt always contain points"),
-          choice("output_frame", {"same", "lattice", "world", "index"}, "frame of the output; same: that of `frame`"),
-          {"project", false, "", "project the vertices of the output to F = c"},
-          {"keep", false, "", "keep the working folder of the program, \"external\", with the run"}};
+  return {
+      command,
+      version,
+      file("volume", "volume.nrrd", "name of the file {volume}, NRRD or VTI", name_problem<volume_endings>),
+      choice("values", {"coefficients", "nodes", "samples"},
+             "what the volume contains: the coefficients of the spline, F at the nodes, or the prepared samples"),
+      file("mesh", "mesh.ply", "name of the file {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
+      file("sizing", "sizing.nrrd", "name of the file {sizing}, h at the nodes in mm", name_problem<volume_endings>),
+      choice("frame", {"lattice", "world"}, "frame of the files that the program gets"),
+      file("output", "output.ply", "name of the file {output}, the mesh or points that the program writes",
+           name_problem<output_endings>),
+      choice("returns", {"mesh", "points"},
+             "what the output contains; .nrrd, .nhdr, .xyz and .txt always contain points"),
+      choice("output_frame", {"same", "lattice", "world", "index"}, "frame of the output; same: that of `frame`"),
+      {"project", false, "", "project the vertices of the output to F = c"},
+      {"keep", false, "", "keep the working folder of the program, \"external\", with the run"}};
 }
 
 }  // namespace
@@ -236,8 +239,7 @@ bool returns_points(const Parameters& parameters) {
 Method method_external() {
   Method method;
   method.name = "external";
-  method.summary =
-      "Any program: it gets F as a volume or as a marching-cubes mesh, and writes a mesh or points";
+  method.summary = "Any program: it gets F as a volume or as a marching-cubes mesh, and writes a mesh or points";
   method.deterministic = false;
   method.parameters = external::schema();
   method.mesh = external::mesh;
