@@ -48,7 +48,7 @@ TEST(PointsFile, WhatIsNoSetOfPointsIsRefusedByName) {
       {folder.write("bz.nrrd", header + "bzip2\n\n"), "bzip2"},
       {folder.write("3d.nrrd", "NRRD0001\ntype: float\ndimension: 3\nsizes: 1 1 1\nencoding: raw\n\n1234"), "two axes"},
       {folder.write("flat.nrrd", "NRRD0001\ntype: float\ndimension: 2\nsizes: 2 1\nencoding: raw\n\n12345678"),
-       "no point"},
+       "a point cannot have 2 numbers"},
       {folder.write("half.nrrd", "NRRD0001\ntype: float\nencoding: raw\n\n"), "'dimension'"}};
   for (const auto& [path, part] : bad) {
     try {
