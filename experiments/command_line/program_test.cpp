@@ -57,7 +57,7 @@ TEST_F(ProgramVerbs, BadDataExitWith3) {
   expect({"mesh", "--volume", "empty.nrrd", "--isovalue", "1", "--edge-length", "2", "-q"}, 3, "empty.nrrd");
   folder_.write("mesh.ply", "no mesh\n");
   expect({"measure", "mesh.ply", "--dataset", "torus", "-q"}, 3, "mesh.ply");
-  expect({"report", "results/none"}, 3, "no results folder");
+  expect({"report", "results/none"}, 3, "not a results folder");
 }
 
 TEST_F(ProgramVerbs, HostileFilesExitWith3AndOneSentence) {
@@ -165,13 +165,14 @@ TEST_F(ProgramVerbs, MeshLeavesArtefactsInAFolder) {
 }
 
 TEST_F(ProgramVerbs, MeshWithoutASizingTakesThePapersAndSaysSo) {
-  const std::vector<std::string> ball = {"mesh", "--dataset", "small.toml", "-q"};
+  const std::vector<std::string> ball = {"mesh", "--dataset", "small.toml"};
+  const std::string says = "no sizing was given: taking --epsilon 0.5 --delta 0.3\n";
   folder_.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
   const Outcome unsized = run(ball);
   ASSERT_EQ(unsized.code, 0) << unsized.err;
-  EXPECT_EQ(unsized.err, "no sizing was given: taking --epsilon 0.5 --delta 0.3\n");
+  EXPECT_NE(unsized.err.find(says), std::string::npos) << unsized.err;
   const Outcome sized = run(with(ball, {"--epsilon", "0.5", "--delta", "0.3"}));
-  EXPECT_EQ(sized.err, "");
+  EXPECT_EQ(sized.err.find(says), std::string::npos) << sized.err;
   EXPECT_EQ(unsized.out.substr(0, unsized.out.find("\ntime")), sized.out.substr(0, sized.out.find("\ntime")));
   expect(with(ball, {"--epsilon", "0.5"}), 2, "epsilon is given without delta");
 }
@@ -221,7 +222,7 @@ TEST_F(ProgramVerbs, MeasureOfAMeshAloneGivesWhatNeedsNoSurface) {
   folder_.write("open.off", "OFF\n8 11 0\n" + corners + eleven);
   const Outcome closed = run({"measure", "cube.off", "--json", "-q"});
   EXPECT_EQ(json_value(closed, "vertices"), "8");
-  EXPECT_EQ(std::stod(json_value(closed, "volume")), 8.0);
+  EXPECT_DOUBLE_EQ(std::stod(json_value(closed, "volume")), 8.0);
   EXPECT_EQ(std::stod(json_value(closed, "area")), 24.0);
   EXPECT_EQ(json_value(closed, "euler"), "2");
   EXPECT_EQ(json_value(closed, "boundary_edges"), "0");
