@@ -79,7 +79,7 @@ std::string fetch(const Manifest& manifest, const std::filesystem::path& folder,
 }  // namespace
 
 std::filesystem::path cache_folder() {
-  if (const std::string own = environment("ISOBENCH_CACHE"); !own.empty()) return own;
+  if (std::string own = environment("ISOBENCH_CACHE"); !own.empty()) return own;
   if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty())
     return std::filesystem::path(xdg) / "isobench";
   if (const std::string home = environment("HOME"); !home.empty())

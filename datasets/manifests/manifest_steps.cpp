@@ -30,7 +30,7 @@ int count_or(const TomlValue& table, const char* key, int otherwise, int least) 
 
 PrepareStep parse_gaussian(const TomlValue& table) {
   const TomlValue sigma = table.require("sigma");
-  const Gaussian step{parse_triple(sigma)};
+  Gaussian step{parse_triple(sigma)};
   if (step.sigma.maxCoeff() > 1000.0) throw UsageError(sigma.place(), "sigma is at most 1000 voxels");
   return step;
 }
