@@ -1,5 +1,6 @@
 // The rules of the house (docs/ARCHITECTURE.md), held against the tree that this test was built from: includes run one
 // way from floor to floor, folders do not include each other in a circle, and no folder outgrows a reader's memory.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ std::vector<std::string> upward_includes(const Includes& tree) {
   std::vector<std::string> found;
   for (const auto& [file, includes] : tree) {
     for (const std::string& included : includes) {
-      if (floor_of(included) > floor_of(file)) found.push_back(file + " includes " + included);
+      if (floor_of(included) > floor_of(file)) found.push_back(fmt::format("{} includes {}", file, included));
     }
   }
   return found;
@@ -86,7 +87,7 @@ std::vector<std::string> crowded_folders(const std::vector<std::string>& files, 
   for (const std::string& file : files) ++counts[folder_of(file)];
   std::vector<std::string> found;
   for (const auto& [folder, count] : counts) {
-    if (count > most) found.push_back(folder + " has " + std::to_string(count) + " files");
+    if (count > most) found.push_back(fmt::format("{} has {} files", folder, count));
   }
   return found;
 }
@@ -118,7 +119,7 @@ Includes includes_of(const std::vector<std::string>& files, std::vector<std::str
       if (path.starts_with(prefix))
         includes.insert(path.substr(prefix.size()));
       else
-        unprefixed.push_back(file + " includes " + path);
+        unprefixed.push_back(fmt::format("{} includes {}", file, path));
     }
   }
   return tree;
