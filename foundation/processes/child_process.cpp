@@ -83,7 +83,7 @@ std::vector<std::string> variables_with(const std::map<std::string, std::string>
     const std::string text = *variable;
     if (!changes.contains(text.substr(0, text.find('=')))) variables.push_back(text);
   }
-  for (const auto& [name, value] : changes) variables.push_back(name + "=" + value);
+  for (const auto& [name, value] : changes) variables.push_back(fmt::format("{}={}", name, value));
   return variables;
 }
 

@@ -258,7 +258,7 @@ TEST(ChildProcess, MemoryOfTheWholeFamilyIsSeen) {
 }
 
 /// Starts a child from a process that then ends without killing it.
-void start_from_a_process_that_dies(ChildOptions options) {
+void start_from_a_process_that_dies(const ChildOptions& options) {
   const pid_t parent = fork();
   if (parent == 0) {
     new ChildProcess(options);  // NOLINT: never destroyed, as in a process that is killed

@@ -40,8 +40,8 @@ Eigen::Vector3d circumcentre(const Cell& cell) {
 
 // Once a point has been removed, the order of CGAL's cells depends on addresses. Sorting makes the results
 // deterministic.
-const Triangle& corners_of(const Triangle& triangle) { return triangle; }
-const Triangle& corners_of(const LabelledDelaunay::Facet& facet) { return facet.corners; }
+Triangle corners_of(const Triangle& triangle) { return triangle; }
+Triangle corners_of(const LabelledDelaunay::Facet& facet) { return facet.corners; }
 
 template <class Item>
 void sort_by_corners(std::vector<Item>& items) {
