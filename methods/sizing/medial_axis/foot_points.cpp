@@ -89,7 +89,7 @@ class AxisSearch {
       if (direction[axis] != 0.0) length = std::min(length, cell[axis] / std::abs(direction[axis]));
     }
     if (!std::isfinite(length)) return std::nullopt;
-    const Eigen::Vector3d far = node + length * direction;
+    Eigen::Vector3d far = node + length * direction;
     const double rounding = 1e-9 * voxel_;
     if ((far.array() < -rounding).any() || (far.array() > surface_.extent().array() + rounding).any()) {
       return std::nullopt;
