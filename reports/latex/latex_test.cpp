@@ -78,7 +78,7 @@ int filled_columns(const std::string& row) {
   }
   const std::string multi = "\\multicolumn{";
   for (std::size_t at = row.find(multi); at != std::string::npos; at = row.find(multi, at + 1)) {
-    columns += std::atoi(row.c_str() + at + multi.size()) - 1;
+    columns += std::stoi(row.c_str() + at + multi.size()) - 1;
   }
   return columns;
 }
