@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <string>
 
 #include "isobench/experiments/command_line/test_program.h"
@@ -287,8 +288,8 @@ TEST_F(ProgramVerbs, ListAndVersionSayWhatThereIs) {
   }
   const Outcome version = run({"--version"});
   EXPECT_EQ(version.code, 0);
-  for (const char* word : {"isobench ", "commit", "VTK 9", "CGAL 5"}) {
-    EXPECT_NE(version.out.find(word), std::string::npos) << word;
+  for (const char* pattern : {"isobench [0-9]+\\.", "commit ", "VTK [0-9]+\\.", "CGAL [0-9]+\\."}) {
+    EXPECT_TRUE(std::regex_search(version.out, std::regex(pattern))) << pattern << " in " << version.out;
   }
 }
 
