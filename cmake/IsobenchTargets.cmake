@@ -22,17 +22,18 @@ function(isobench_precompile target name)
   endif()
 endfunction()
 
-# isobench_tests(floor [LABEL label] LIBRARIES … SOURCES … [THREADS test …])
+# isobench_tests(floor [LABEL label] LIBRARIES … SOURCES … [SLOW test …] [VOLUMES test …] [THREADS test …])
 #
 # One program a floor and label. LABEL is "unit" unless given, or one of
-#   slow     minutes instead of seconds
+#   slow     takes many seconds, or many more under a sanitizer
 #   volumes  needs the real volumes; skips without ISOBENCH_DATA
 #   cluster  starts a Slurm cluster on this machine; skips where there is no Slurm
 #   browser  opens the page in Chromium; skips where there is none
-# and is what `ctest --label-regex` chooses by. Tests named by THREADS are about threads and carry the label "threads" as
-# well: the thread sanitizer runs them.
+# and is what `ctest --label-regex` chooses by. Single tests of a program, as --gtest_filter names them, get another label
+# by SLOW and VOLUMES. Those named by THREADS are about threads and carry the label "threads" as well: the thread
+# sanitizer runs them.
 function(isobench_tests floor)
-  cmake_parse_arguments(arg "" "LABEL" "LIBRARIES;SOURCES;THREADS" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL" "LIBRARIES;SOURCES;SLOW;VOLUMES;THREADS" ${ARGN})
   if(NOT ISOBENCH_TESTS)
     return()
   endif()
@@ -44,22 +45,41 @@ function(isobench_tests floor)
   target_link_libraries(${program} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   # Most of a test's code runs once: compiling it takes longer than -O1 loses.
   target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
-  add_dependencies(isobench_${arg_LABEL}_tests ${program})
   isobench_precompile(${program} isobench_precompiled_tests)
-  set(common NO_PRETTY_VALUES TEST_PREFIX ${floor}/ DISCOVERY_TIMEOUT 60)
+  add_dependencies(isobench_${arg_LABEL}_tests ${program})
+  isobench_discover(${program} ${floor} slow "${arg_SLOW}" "")
+  isobench_discover(${program} ${floor} volumes "${arg_VOLUMES}" "")
+  isobench_discover(${program} ${floor} "${arg_LABEL};threads" "${arg_THREADS}" "${arg_SLOW}")
+  isobench_discover(${program} ${floor} "${arg_LABEL}" "*" "${arg_SLOW};${arg_VOLUMES};${arg_THREADS}")
+endfunction()
+
+# Makes the tests of a program that `only` names and `but` does not known to ctest, under these labels.
+function(isobench_discover program floor labels only but)
+  if(NOT only)
+    return()
+  endif()
+  list(FILTER but EXCLUDE REGEX "^$")
+  list(JOIN only ":" filter)
+  list(JOIN but ":" excluded)
+  if(but)
+    string(APPEND filter "-${excluded}")
+  endif()
   # The long ones begin first, so that no core waits for the last of them alone.
   set(cost 0)
-  if(NOT arg_LABEL STREQUAL unit)
+  if(NOT "unit" IN_LIST labels)
     set(cost 100)
   endif()
-  set(others "")
-  if(arg_THREADS)
-    list(JOIN arg_THREADS ":" threads)
-    gtest_discover_tests(${program} TEST_FILTER "${threads}" ${common}
-      PROPERTIES TIMEOUT 900 COST ${cost} LABELS "${arg_LABEL};threads")
-    set(others TEST_FILTER "-${threads}")
-  endif()
-  gtest_discover_tests(${program} ${others} ${common} PROPERTIES TIMEOUT 900 COST ${cost} LABELS ${arg_LABEL})
+  string(MAKE_C_IDENTIFIER "${program}_${labels}" list)
+  gtest_discover_tests(${program} TEST_FILTER "${filter}" NO_PRETTY_VALUES TEST_PREFIX ${floor}/ DISCOVERY_TIMEOUT 60
+    TEST_LIST ${list} PROPERTIES TIMEOUT 900 COST ${cost})
+  # gtest_discover_tests() cannot set a list of labels: the list falls apart on its way.
+  set(labelling ${CMAKE_CURRENT_BINARY_DIR}/${list}.cmake)
+  file(CONFIGURE OUTPUT ${labelling} @ONLY CONTENT [[
+if(@list@)
+  set_tests_properties(${@list@} PROPERTIES LABELS "@labels@")
+endif()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labelling})
 endfunction()
 
 # isobench_benchmarks(floor LIBRARIES … SOURCES …): one benchmark program a floor.

@@ -11,8 +11,9 @@
 #include "isobench/datasets/spline_prefilter.h"
 #include "isobench/foundation/error.h"
 
-// The evaluators are compiled twice and chosen at run time. Both do the same operations in the same order (contraction
-// is off), so results agree to the bit. Sanitizers' runtimes are not up yet when the choice is made: one version there.
+// The evaluators are compiled twice; the processor's features choose the version when the program starts. Both do the
+// same operations in the same order (contraction is off), so results agree to the bit. Under a sanitizer there is one
+// version, because the choice is made before the sanitizer's runtime is ready.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define ISOBENCH_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
@@ -24,7 +25,7 @@ namespace isobench {
 
 namespace {
 
-// Vectors of four doubles are passed between functions that are always inlined: no calling convention is at stake.
+// Only functions that are always inlined pass vectors of four doubles, so the calling convention does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 using Float4 = float __attribute__((vector_size(16)));
@@ -67,12 +68,12 @@ __attribute__((always_inline)) inline double dot(const Double4& v, const std::ar
   return (v[0] * w[0] + v[1] * w[1]) + (v[2] * w[2] + v[3] * w[3]);
 }
 
-/// Sums four lane vectors under four weights.
+/// The weighted sum of four lane vectors.
 __attribute__((always_inline)) inline Double4 combine(const Double4* v, const std::array<double, 4>& w) {
   return (v[0] * w[0] + v[1] * w[1]) + (v[2] * w[2] + v[3] * w[3]);
 }
 
-/// The lanes run along x, whose samples are neighbours in memory; z and y are summed first, x last.
+/// The lanes run along x, because its samples are neighbours in memory: sums over z and y come first, over x last.
 ISOBENCH_CLONES void sum_value(const float* corner, std::ptrdiff_t row, std::ptrdiff_t slab,
                                const std::array<double, 4>& x, const std::array<double, 4>& y,
                                const std::array<double, 4>& z, double* result) {
@@ -131,7 +132,7 @@ ISOBENCH_CLONES void sum_jet(const float* corner, std::ptrdiff_t row, std::ptrdi
   result[9] = dot(combine(z1, y.w1), x.w0);
 }
 
-/// The cell and the offset within it of a lattice coordinate, clamped to [0, size − 1].
+/// The cell of a lattice coordinate, clamped to [0, size − 1], and the offset within the cell.
 struct Cell {
   int index;
   double t;
@@ -160,7 +161,7 @@ std::string to_string(Kernel kernel) {
 std::string to_string(Inside inside) { return inside == Inside::above ? "above" : "below"; }
 
 Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel kernel)
-    : lattice_(std::move(volume.lattice)),
+    : lattice_(volume.lattice),
       isovalue_(isovalue),
       inside_(inside),
       kernel_(kernel),
@@ -171,25 +172,25 @@ Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel ker
     throw DataError(fmt::format("the volume has {}×{}×{} nodes; a spline surface needs at least 4 along each axis",
                                 size[0], size[1], size[2]));
   }
-  const Range range = sample_range(volume);
+  // Samples that are large compared with their differences, such as int32 near 1e9, lose these differences here. A
+  // constant subtracted from the samples before they become floats would keep them; this is the place for it.
+  FloatVolume floats = as_float(std::move(volume));
+  const Range range = sample_range(floats);
   if (!(isovalue > range.min && isovalue < range.max)) {
     throw DataError(fmt::format("isovalue {} is outside the range of the samples, {} to {}; choose one between them",
                                 isovalue, range.min, range.max));
   }
   for (int axis = 0; axis < 3; ++axis) extent_[axis] = lattice_.spacing[axis] * (size[axis] - 1);
-  if (kernel == Kernel::interpolating_bspline) {
-    volume.lattice = lattice_;
-    interpolating_coefficients(volume);
-  }
+  if (kernel == Kernel::interpolating_bspline) interpolating_coefficients(floats);
 
-  coefficients_ = std::move(volume.samples);
+  coefficients_ = std::move(floats.samples);
   const double sign = inside == Inside::above ? 1.0 : -1.0;
   for (float& c : coefficients_) c = static_cast<float>(sign * (c - isovalue));
   check_crossing();
 }
 
 void Isosurface::check_crossing() const {
-  // Somewhere outside and somewhere inside at the nodes means that some lattice edge crosses c.
+  // If one node is inside and another outside, some lattice edge crosses c.
   std::vector<float> slab;
   float low = std::numeric_limits<float>::infinity();
   float high = -low;
@@ -356,7 +357,7 @@ Curvatures curvatures(const Jet& jet) {
   if (!(slope > 0.0)) return {};
   const Eigen::Vector3d n = outward_normal(jet.gradient);
   const Eigen::Matrix3d p = Eigen::Matrix3d::Identity() - n * n.transpose();
-  // f falls outwards, so −P H P/|∇f| bends like the surface: positive where the object is convex.
+  // f decreases outwards, so −P H P/|∇f| is positive where the object is convex.
   const Eigen::Matrix3d g = p * jet.hessian * p / -slope;
   const double trace = g.trace();
   const double root = std::sqrt(std::max(0.0, 2.0 * g.squaredNorm() - trace * trace));

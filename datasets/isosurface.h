@@ -1,9 +1,9 @@
 // The surface F = c, where F is the smooth function that spline kernels reconstruct from a volume
 // (Meyer, Kirby, Whitaker 2007, section 3; Kindlmann et al. 2003 for the derivatives).
 //
-// Everything here lives in the *lattice frame*: millimetres, axes along the lattice, node (0, 0, 0) at the origin.
-// Meshing and measuring happen there, so that an oblique or far-away volume costs neither time nor precision;
-// Lattice::to_world places the finished mesh.
+// All points here are in the lattice frame: mm, axes along the lattice, node (0, 0, 0) at the origin. Meshing and
+// measuring use this frame, so that an oblique or far-away volume costs neither time nor precision. Lattice::to_world
+// moves the finished mesh to its place.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,16 +18,16 @@ namespace isobench {
 
 enum class Kernel {
   bspline,  ///< cubic B-spline for value, gradient and Hessian: approximating, consistent (default)
-  /// The cubic B-spline through the samples: its coefficients are solved for (the prefilter of Unser, Aldroubi, Eden
-  /// 1991, exactly for the border used here). The plain B-spline smooths, which is right for segmentations, but it can
-  /// weld sheets that the samples of a grey-scale scan keep apart.
+  /// The cubic B-spline that passes through the samples; its coefficients are the solution of a linear system (the
+  /// prefilter of Unser, Aldroubi, Eden 1991, exact for the border used here). The plain B-spline smooths. That suits
+  /// segmentations, but it can join sheets that the samples of a grey-scale scan keep apart.
   interpolating_bspline,
-  catmull_rom,  ///< Catmull-Rom values with B-spline derivatives, as the paper mixes them: interpolating
+  catmull_rom,  ///< values by the Catmull-Rom spline, derivatives by the B-spline, as in the paper: interpolating
 };
 
 std::string to_string(Kernel kernel);  ///< "bspline", "interpolating-bspline", "catmull-rom"
 
-/// Which side of c is the object.
+/// The side of c on which the object is.
 enum class Inside { above, below };
 
 std::string to_string(Inside inside);
@@ -42,24 +42,26 @@ struct Jet {
 /// f = F − c (inside above) or c − F (inside below), positive inside the object, and its zero set, the surface.
 class Isosurface {
  public:
-  /// Takes the samples over. Throws DataError if a sample is not finite, a dimension is below 4,
-  /// c is outside the range of the node values (the message says the range), or no lattice edge crosses c.
+  /// Takes the samples over. F is computed in single precision: this is where samples of other types become floats,
+  /// once; floats are moved, not copied. Memory: 4 bytes a node, and the samples as given until they are converted.
+  /// Throws DataError if a sample is not finite or too large for a float, if there are fewer than 4 nodes along an
+  /// axis, if c is outside the range of the samples (the message says the range), or if F never crosses c at the nodes.
   Isosurface(Volume volume, double isovalue, Inside inside = Inside::above, Kernel kernel = Kernel::bspline);
 
   double value(const Eigen::Vector3d& x) const;
-  /// Value and gradient; the Hessian of the result stays zero.
+  /// Value and gradient only; the Hessian of the result is zero.
   Jet value_gradient(const Eigen::Vector3d& x) const;
   Jet jet(const Eigen::Vector3d& x) const;
 
-  /// The foot of x: x ← x − f∇f/|∇f|², each step at most half a voxel, until |f|/|∇f| < tolerance·voxel.
-  /// std::nullopt after `max_steps` steps or where the gradient vanishes.
+  /// Projects x to the surface: x ← x − f∇f/|∇f|², in steps of at most half a voxel, until |f|/|∇f| < tolerance·voxel.
+  /// std::nullopt if that takes more than `max_steps` steps or the gradient vanishes.
   std::optional<Eigen::Vector3d> project(const Eigen::Vector3d& x, double tolerance = 1e-6, int max_steps = 10) const;
 
-  /// f at every lattice node of one slab of constant k, size[0]*size[1] values, x fastest.
-  /// At nodes the B-spline is a 3-tap separable filter, so this is far cheaper than value().
+  /// f at the nodes of one slab of constant k: size[0]·size[1] values, x fastest. At nodes the B-spline is a separable
+  /// filter of three taps, so this is far cheaper than value().
   void node_values(int k, std::vector<float>& slab) const;
 
-  /// The samples as they were given, ±(sample − c), of one slab of constant k, x fastest; for what does not use F.
+  /// ±(sample − c) of one slab of constant k, x fastest, for callers that need the samples instead of F.
   void sample_values(int k, std::vector<float>& slab) const;
 
   const Lattice& lattice() const { return lattice_; }
@@ -69,25 +71,25 @@ class Isosurface {
   double voxel() const { return voxel_; }
   /// The largest lattice-frame point: spacing ∘ (size − 1).
   const Eigen::Vector3d& extent() const { return extent_; }
-  /// The coefficient that the spline has at a node (sign applied, c subtracted), indices clamped to the lattice.
+  /// The spline's coefficient at a node, with the sign applied and c subtracted. Indices are clamped to the lattice.
   float coefficient(int i, int j, int k) const;
 
  private:
   void check_crossing() const;
   void copy_coefficients(int k, std::vector<float>& slab) const;
   using Block = std::array<float, 64>;
-  /// The 4³ coefficients around a point: the first, and how far it is to the next row and slab.
+  /// The 4³ coefficients around a point: the first of them, and the steps to the next row and to the next slab.
   struct Taps {
     const float* first;
     std::ptrdiff_t row;
     std::ptrdiff_t slab;
   };
-  /// t: where x lies in its cell. Near the lattice's border the coefficients are clamped copies in `border`, so that
-  /// none but those of the volume need memory.
+  /// Sets t to the place of x in its cell, 0 to 1 along each axis. Near the lattice's border the coefficients are
+  /// copied to `border` with clamped indices, so that the volume needs no padding.
   Taps taps(const Eigen::Vector3d& x, std::array<double, 3>& t, Block& border) const;
 
   Lattice lattice_;
-  std::vector<float> coefficients_;  // ±(sample − c), or what the prefilter makes of it
+  std::vector<float> coefficients_;  // ±(sample − c); with the prefilter, ±(its result − c)
   double isovalue_;
   Inside inside_;
   Kernel kernel_;
@@ -96,10 +98,10 @@ class Isosurface {
   Eigen::Vector3d extent_;
 };
 
-/// Outward unit normal from a gradient of f.
+/// The unit normal that points out of the object, from the gradient of f.
 inline Eigen::Vector3d outward_normal(const Eigen::Vector3d& gradient) { return -gradient.normalized(); }
 
-/// Principal curvatures of the level set through a jet's point, κ1 ≥ κ2, positive where the object is convex
+/// Principal curvatures (1/mm) of the level set through a jet's point, κ1 ≥ κ2, positive where the object is convex
 /// (Kindlmann et al. 2003: G = −P H P/|∇f|, T = tr G, N = ‖G‖, κ = (T ± √max(0, 2N² − T²))/2).
 struct Curvatures {
   double k1 = 0.0;

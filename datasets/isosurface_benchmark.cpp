@@ -14,7 +14,7 @@ const Isosurface& surface() {
   return gyroid;
 }
 
-/// Points near the surface in the order in which a method would come by them: neighbours after neighbours.
+/// Points near the surface, one neighbour after another, which is the order in which methods evaluate them.
 const std::vector<Eigen::Vector3d>& points() {
   static const std::vector<Eigen::Vector3d> near = [] {
     std::vector<Eigen::Vector3d> result;

@@ -20,9 +20,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Samples of a function of lattice-frame millimetres.
-Volume sampled(const std::array<int, 3>& size, const Vector3d& spacing,
-               const std::function<double(const Vector3d&)>& function) {
-  Volume v;
+FloatVolume sampled(const std::array<int, 3>& size, const Vector3d& spacing,
+                    const std::function<double(const Vector3d&)>& function) {
+  FloatVolume v;
   v.lattice.size = size;
   v.lattice.spacing = spacing;
   v.samples.resize(v.lattice.nodes());
@@ -38,13 +38,13 @@ Volume sampled(const std::array<int, 3>& size, const Vector3d& spacing,
 
 const Vector3d anisotropic(0.5, 1.25, 2.0);
 
-Volume noise(const std::array<int, 3>& size = {9, 8, 7}) {
+FloatVolume noise(const std::array<int, 3>& size = {9, 8, 7}) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   return sampled(size, anisotropic, [&](const Vector3d&) { return unit(random); });
 }
 
-/// Points of the lattice's box, `margin` nodes inside it.
+/// Random points in the lattice's box, at least `margin` nodes from its border.
 std::vector<Vector3d> points_in(const Lattice& lattice, int margin, int count = 200) {
   std::mt19937_64 random(11);
   std::vector<Vector3d> points;
@@ -76,7 +76,7 @@ TEST(IsosurfaceTest, BsplineReproducesQuadraticsUpToAConstant) {
   const double constant = (anisotropic.cwiseAbs2().array() * q.a.diagonal().array()).sum() / 6.0 - 0.75;
   for (const Vector3d& x : points_in(surface.lattice(), 1)) {
     const Jet jet = surface.jet(x);
-    // The samples are floats of up to about 100, so right to 1e-5.
+    // The samples are floats of up to about 100, whose rounding error is below 1e-5.
     EXPECT_NEAR(jet.value, q(x) + constant, 3e-5);
     EXPECT_LT((jet.gradient - q.gradient(x)).norm(), 1e-4);
     EXPECT_LT((jet.hessian - q.a).norm(), 5e-4);
@@ -100,7 +100,7 @@ TEST(IsosurfaceTest, DerivativesAreThoseOfTheValue) {
   const Isosurface surface(noise(), 0.1);
   const double h = 1e-5;
   for (const Vector3d& x : points_in(surface.lattice(), 0)) {
-    // Beyond the box coordinates are clamped, so differences must stay inside.
+    // Coordinates outside the box are clamped, so differences must stay inside it.
     if ((x.array() < h).any() || ((surface.extent() - x).array() < h).any()) continue;
     const Jet jet = surface.jet(x);
     for (int axis = 0; axis < 3; ++axis) {
@@ -109,7 +109,7 @@ TEST(IsosurfaceTest, DerivativesAreThoseOfTheValue) {
       EXPECT_NEAR(jet.gradient[axis], slope, 1e-6);
       const Vector3d bend =
           (surface.value_gradient(x + step).gradient - surface.value_gradient(x - step).gradient) / (2.0 * h);
-      // The third derivative jumps at cell borders: there a difference is only right to h.
+      // The third derivative jumps at the cells' borders, where a difference has an error of order h.
       EXPECT_LT((jet.hessian.col(axis) - bend).norm(), 1e-3);
     }
   }
@@ -130,7 +130,7 @@ TEST(IsosurfaceTest, TheThreeEvaluatorsAgree) {
 }
 
 TEST(IsosurfaceTest, CatmullRomInterpolatesAndTakesDerivativesOfTheBspline) {
-  const Volume volume = noise();
+  const FloatVolume volume = noise();
   const Isosurface mixed(volume, 0.1, Inside::above, Kernel::catmull_rom);
   const Isosurface spline(volume, 0.1);
   const Lattice& l = volume.lattice;
@@ -169,7 +169,7 @@ TEST(IsosurfaceTest, NodeValuesAreTheValuesAtNodes) {
 }
 
 TEST(IsosurfaceTest, CoefficientsAreSignedAndClampedSamples) {
-  const Volume volume = noise();
+  const FloatVolume volume = noise();
   const Isosurface below(volume, 0.25, Inside::below);
   EXPECT_FLOAT_EQ(below.coefficient(3, 2, 1), 0.25F - volume.at(3, 2, 1));
   EXPECT_FLOAT_EQ(below.coefficient(-5, 2, 1), 0.25F - volume.at(0, 2, 1));
@@ -177,7 +177,7 @@ TEST(IsosurfaceTest, CoefficientsAreSignedAndClampedSamples) {
 }
 
 TEST(IsosurfaceTest, InsideBelowMirrorsTheSign) {
-  const Volume volume = noise();
+  const FloatVolume volume = noise();
   const Isosurface above(volume, 0.1, Inside::above);
   const Isosurface below(volume, 0.1, Inside::below);
   for (const Vector3d& x : points_in(volume.lattice, 0, 50)) {
@@ -188,8 +188,8 @@ TEST(IsosurfaceTest, InsideBelowMirrorsTheSign) {
 }
 
 TEST(IsosurfaceTest, TheLatticeFrameKnowsNothingOfOriginAndDirection) {
-  Volume plain = noise();
-  Volume oblique = plain;
+  FloatVolume plain = noise();
+  FloatVolume oblique = plain;
   oblique.lattice.origin = {1e5, -3e4, 77.0};
   oblique.lattice.direction = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   oblique.lattice.direction.col(1) *= -1.0;
@@ -202,7 +202,7 @@ TEST(IsosurfaceTest, TheLatticeFrameKnowsNothingOfOriginAndDirection) {
 }
 
 TEST(IsosurfaceTest, ProjectionEndsOnTheSurfaceAtTheFoot) {
-  const Volume volume = sample_phantom(phantom("sphere"), 48);
+  const FloatVolume volume = sample_phantom(phantom("sphere"), 48);
   const Lattice lattice = volume.lattice;
   const Isosurface surface(volume, 0.0);
   const double r = 20.0;
@@ -220,7 +220,7 @@ TEST(IsosurfaceTest, ProjectionEndsOnTheSurfaceAtTheFoot) {
       EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), tolerance * surface.voxel());
     }
     const Vector3d foot = lattice.to_world(*surface.project(start, 1e-9));
-    // What is left after the leading order of the shift is of fourth order, (voxel/r)³/100 of a voxel here.
+    // The shift is known to leading order. The rest is of fourth order, here (voxel/r)³/100 of a voxel.
     EXPECT_NEAR(foot.norm(), moved, 1e-3 * surface.voxel());
     EXPECT_LT((foot.normalized() - direction).norm(), 2e-3);
   }
@@ -280,8 +280,8 @@ TEST(CurvatureTest, AnisotropicSpacingBendsNothing) {
   }
 }
 
-/// The message of what a construction throws.
-std::string refusal(Volume volume, double isovalue) {
+/// The message of the error that the constructor throws; "" if it throws none.
+std::string refusal(FloatVolume volume, double isovalue) {
   try {
     const Isosurface surface(std::move(volume), isovalue);
   } catch (const DataError& error) {
@@ -293,7 +293,7 @@ std::string refusal(Volume volume, double isovalue) {
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(IsosurfaceErrorTest, AnIsovalueOutsideTheRangeIsToldTheRange) {
-  const Volume ramp = sampled({6, 6, 6}, Vector3d::Ones(), [](const Vector3d& x) { return 10.0 + x[0]; });
+  const FloatVolume ramp = sampled({6, 6, 6}, Vector3d::Ones(), [](const Vector3d& x) { return 10.0 + x[0]; });
   for (const double isovalue : {9.0, 16.0, std::numeric_limits<double>::quiet_NaN()}) {
     const std::string message = refusal(ramp, isovalue);
     EXPECT_TRUE(contains(message, "10") && contains(message, "15")) << message;
@@ -301,7 +301,7 @@ TEST(IsosurfaceErrorTest, AnIsovalueOutsideTheRangeIsToldTheRange) {
 }
 
 TEST(IsosurfaceErrorTest, ASurfaceThatSmoothingRemovesIsNoSurface) {
-  Volume spike = sampled({9, 9, 9}, Vector3d::Ones(), [](const Vector3d&) { return 0.0; });
+  FloatVolume spike = sampled({9, 9, 9}, Vector3d::Ones(), [](const Vector3d&) { return 0.0; });
   spike.at(4, 4, 4) = 1.0F;
   const std::string message = refusal(spike, 0.5);  // F's maximum is (2/3)³ = 0.296
   EXPECT_TRUE(contains(message, "0.296")) << message;
@@ -310,10 +310,28 @@ TEST(IsosurfaceErrorTest, ASurfaceThatSmoothingRemovesIsNoSurface) {
 
 TEST(IsosurfaceErrorTest, ANodeThatIsNotFiniteIsNamed) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    Volume volume = noise();
+    FloatVolume volume = noise();
     volume.at(3, 4, 5) = bad;
     const std::string message = refusal(volume, 0.1);
     EXPECT_TRUE(contains(message, "(3, 4, 5)")) << message;
+  }
+}
+
+TEST(IsosurfaceTest, SamplesOfEveryTypeGiveTheSurfaceOfTheirFloats) {
+  Volume bytes;
+  bytes.lattice.size = {9, 8, 7};
+  std::vector<std::uint8_t> samples;
+  for (std::size_t n = 0; n < bytes.lattice.nodes(); ++n) samples.push_back(static_cast<std::uint8_t>(n * n % 251));
+  bytes.samples = samples;
+  for (const Kernel kernel : {Kernel::bspline, Kernel::interpolating_bspline}) {
+    const Isosurface surface(bytes, 100.5, Inside::above, kernel);
+    const Isosurface of_floats(as_float(bytes), 100.5, Inside::above, kernel);
+    const Isosurface of_shorts({bytes.lattice, std::vector<std::int16_t>(samples.begin(), samples.end())}, 100.5,
+                               Inside::above, kernel);
+    for (const Vector3d& x : points_in(bytes.lattice, 0, 50)) {
+      EXPECT_EQ(surface.value(x), of_floats.value(x));
+      EXPECT_EQ(surface.value(x), of_shorts.value(x));
+    }
   }
 }
 
@@ -322,9 +340,9 @@ TEST(IsosurfaceErrorTest, FewerThanFourNodesAreTooFew) {
   EXPECT_TRUE(contains(message, "9×3×7") && contains(message, "4")) << message;
 }
 
-// Along the lattice's border too, where the spline repeats the outermost coefficients. Coefficients are floats.
+// Also along the lattice's border, where the spline repeats the outermost coefficients. 3e-6: coefficients are floats.
 TEST(IsosurfaceTest, InterpolatingBsplinePassesThroughTheSamples) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {9, 7, 6};
   volume.lattice.spacing = {1.0, 0.5, 2.0};
   for (std::size_t n = 0; n < volume.lattice.nodes(); ++n) {

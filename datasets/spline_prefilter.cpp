@@ -8,8 +8,8 @@ namespace isobench {
 
 namespace {
 
-/// Solves (c[n−1] + 4 c[n] + c[n+1])/6 = s[n], c repeated beyond both ends, for `width` neighbouring lines at once.
-/// Elimination without pivoting: the matrix is diagonally dominant.
+/// Solves (c[n−1] + 4 c[n] + c[n+1])/6 = s[n] for `width` neighbouring lines at once; c is repeated beyond both ends.
+/// The matrix is diagonally dominant, so elimination needs no pivoting.
 void solve_lines(float* first, std::size_t count, std::size_t stride, std::size_t width, std::vector<double>& work) {
   work.resize(count * width + count);
   double* upper = work.data() + count * width;  // the eliminated matrix's upper diagonal
@@ -36,7 +36,7 @@ void solve_lines(float* first, std::size_t count, std::size_t stride, std::size_
 
 }  // namespace
 
-void interpolating_coefficients(Volume& volume) {
+void interpolating_coefficients(FloatVolume& volume) {
   const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
   const auto ny = static_cast<std::size_t>(volume.lattice.size[1]);
   const auto nz = static_cast<std::size_t>(volume.lattice.size[2]);

@@ -5,9 +5,9 @@
 
 namespace isobench {
 
-/// Solves, along each axis in turn, (c[n−1] + 4 c[n] + c[n+1])/6 = s[n] with c repeated beyond the border, as
-/// Isosurface repeats it (Unser, Aldroubi, Eden 1991, there recursively with the pole √3 − 2). In place, linear time,
-/// threaded.
-void interpolating_coefficients(Volume& volume);
+/// Replaces the samples by coefficients. Solves (c[n−1] + 4 c[n] + c[n+1])/6 = s[n] along one axis after the other;
+/// beyond the border c is repeated, as Isosurface does. Unser, Aldroubi and Eden (1991) solve the same system
+/// recursively with the pole √3 − 2. Linear time, threaded.
+void interpolating_coefficients(FloatVolume& volume);
 
 }  // namespace isobench

@@ -5,7 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "isobench/datasets/samples.h"
 
 namespace isobench {
 
@@ -16,7 +19,7 @@ struct Lattice {
   Eigen::Vector3d spacing = Eigen::Vector3d::Ones();        ///< mm, > 0
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();         ///< mm, world position of node (0, 0, 0)
   Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();  ///< columns: unit world directions of i, j, k
-  std::string space;  ///< the world's axes as the file states them: "RAS", "LPS", or "" (not said)
+  std::string space;  ///< the world's axes as the file states them: "RAS", "LPS", or "" if it does not
 
   std::size_t nodes() const {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
@@ -26,29 +29,53 @@ struct Lattice {
                static_cast<std::size_t>(size[0]) +
            static_cast<std::size_t>(i);
   }
-  /// The geometric mean of the spacing: "a voxel" where one length is meant.
+  /// The geometric mean of the spacing, mm: the length of "a voxel" where one number is needed.
   double voxel() const;
-  /// Lattice frame (spacing ∘ (i, j, k), mm, axis-aligned, node (0,0,0) at 0) to world and back.
+  /// From the lattice frame (mm, axes along the lattice, node (0, 0, 0) at the origin) to the world, and back.
   Eigen::Vector3d to_world(const Eigen::Vector3d& local) const { return origin + direction * local; }
   Eigen::Vector3d to_local(const Eigen::Vector3d& world) const;
-  /// False where the axes i, j, k form a left-handed system: mapping to the world then mirrors triangles.
+  /// False if the axes i, j, k form a left-handed system: mapping a mesh to the world then turns its triangles over.
   bool right_handed() const;
 };
 
-/// A scalar volume; samples in x-fastest order, lattice.nodes() of them.
+/// A scalar volume whose samples keep the type of the file: lattice.nodes() of them, i running fastest.
+/// F is computed from floats (see Isosurface); labels and thresholds are compared in the samples' own type.
 struct Volume {
+  Lattice lattice;
+  Samples samples;
+};
+
+/// A volume of floats: what phantoms give, what smoothing, resampling and distances give, and what F is made from.
+struct FloatVolume {
   Lattice lattice;
   std::vector<float> samples;
 
   float at(int i, int j, int k) const { return samples[lattice.index(i, j, k)]; }
   float& at(int i, int j, int k) { return samples[lattice.index(i, j, k)]; }
+
+  /// Moves the samples of a temporary, copies those of a variable.
+  operator Volume() && { return {std::move(lattice), std::move(samples)}; }  // NOLINT(google-explicit-constructor)
+  operator Volume() const& { return {lattice, samples}; }                    // NOLINT(google-explicit-constructor)
 };
 
+/// Rounds every sample to float; moves the samples if they are floats already. Throws DataError naming the node if a
+/// sample is too large for a float. While it runs, both arrays are in memory: bytes_of(type) + 4 bytes a node.
+FloatVolume as_float(Volume volume);
+
+/// The smallest and the largest sample, rounded to float.
 struct Range {
   float min = 0.0F;
   float max = 0.0F;
 };
-/// Smallest and largest sample. Throws DataError naming the node if a sample is NaN or infinite, or if there are none.
+/// Throws DataError naming the node if a sample is NaN or infinite, or if there are no samples. Linear time; takes no
+/// memory.
 Range sample_range(const Volume& volume);
+Range sample_range(const FloatVolume& volume);
+
+/// "[0, 255]": the smallest and the largest sample, exact in the samples' own type. Throws as sample_range() does.
+std::string range_text(const Volume& volume);
+
+/// Throws DataError naming the node if a sample is NaN or infinite. Costs nothing for integers.
+void check_finite(const Volume& volume);
 
 }  // namespace isobench

@@ -57,15 +57,15 @@ TEST(Lattice, KnowsItsHandedness) {
   EXPECT_FALSE(lattice.right_handed());
 }
 
-Volume ramp() {
-  Volume volume;
+FloatVolume ramp() {
+  FloatVolume volume;
   volume.lattice = oblique_lattice();
   for (std::size_t n = 0; n < volume.lattice.nodes(); ++n) volume.samples.push_back(static_cast<float>(n) - 5.0F);
   return volume;
 }
 
 TEST(Volume, AtIsTheSampleOfTheNode) {
-  Volume volume = ramp();
+  FloatVolume volume = ramp();
   EXPECT_EQ(volume.at(1, 2, 1), -5.0F + 12.0F + 8.0F + 1.0F);
   volume.at(1, 2, 1) = 99.0F;
   EXPECT_EQ(volume.samples[21], 99.0F);
@@ -79,7 +79,7 @@ TEST(Volume, RangeIsOfAllSamples) {
 
 TEST(Volume, RangeNamesTheNodeThatIsNotFinite) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    Volume volume = ramp();
+    FloatVolume volume = ramp();
     volume.at(3, 1, 1) = bad;
     try {
       sample_range(volume);
@@ -88,6 +88,40 @@ TEST(Volume, RangeNamesTheNodeThatIsNotFinite) {
       EXPECT_NE(std::string(error.what()).find("(3, 1, 1)"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(Volume, OfEveryTypeBecomesFloats) {
+  Volume volume = ramp();
+  volume.samples = std::vector<std::int32_t>(24, 312782574);
+  const FloatVolume floats = as_float(volume);
+  EXPECT_EQ(floats.samples, std::vector<float>(24, 312782560.0F));
+  EXPECT_EQ(floats.lattice.size, volume.lattice.size);
+  EXPECT_EQ(sample_range(volume).max, 312782560.0F);
+  EXPECT_EQ(range_text(volume), "[312782574, 312782574]");
+}
+
+TEST(Volume, OfFloatsIsMovedThereAndBack) {
+  FloatVolume floats = ramp();
+  const float* address = floats.samples.data();
+  Volume volume = std::move(floats);
+  EXPECT_EQ(as_float(std::move(volume)).samples.data(), address);
+}
+
+TEST(Volume, ADoubleThatNoFloatCanHoldIsNamed) {
+  Volume volume = ramp();
+  std::vector<double> samples(24, 0.5);
+  samples[21] = 1e200;
+  volume.samples = samples;
+  EXPECT_NO_THROW(check_finite(volume));
+  try {
+    as_float(volume);
+    FAIL() << "no error for 1e200";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("(1, 2, 1) is 1e+200"), std::string::npos) << error.what();
+  }
+  samples[21] = std::numeric_limits<double>::quiet_NaN();
+  volume.samples = samples;
+  EXPECT_THROW(check_finite(volume), DataError);
 }
 
 TEST(Volume, RangeOfNothingIsAnError) { EXPECT_THROW(sample_range(Volume{}), DataError); }

@@ -20,7 +20,7 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// The bytes of the UTF-8 character that a text begins with; 0 where it is none, or a control character.
+/// The number of bytes of the UTF-8 character at the beginning of a text; 0 for a control character or invalid bytes.
 std::size_t character_length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80U) return lead < 0x20U || lead == 0x7FU ? 0 : 1;
@@ -29,7 +29,7 @@ std::size_t character_length(std::string_view text) {
                              : lead >= 0xF0U && lead < 0xF5U ? 4
                                                              : 0;
   if (length == 0 || text.size() < length || !std::all_of(text.begin() + 1, text.begin() + length, continues)) return 0;
-  // U+0080 to U+009F are control characters, too; the others are written too long, surrogates, or beyond Unicode.
+  // In this order: control characters U+0080 to U+009F, overlong forms, surrogates, overlong forms, beyond Unicode.
   const auto second = static_cast<unsigned char>(text[1]);
   const bool forbidden = (lead == 0xC2U && second < 0xA0U) || (lead == 0xE0U && second < 0xA0U) ||
                          (lead == 0xEDU && second >= 0xA0U) || (lead == 0xF0U && second < 0x90U) ||
@@ -78,7 +78,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   std::string best;
-  // A third of the letters wrong is still a slip; more is another word.
+  // If more than a third of the letters differ, it is another word and no slip.
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const bool extends = name.size() >= 3 && candidate.starts_with(name);

@@ -7,21 +7,21 @@
 
 namespace isobench {
 
-/// Where in a text file something was found; line and column count from 1, 0 means unknown.
+/// A place in a text file. Lines and columns count from 1; 0 means unknown.
 struct Place {
   std::string file;
   int line = 0;
   int column = 0;
 };
 
-/// "file:line:column: ", shortened where a part is unknown; empty without a file.
+/// "file:line:column: " without the parts that are unknown; "" without a file.
 std::string to_string(const Place& place);
 
-/// A text as a terminal, a table and JSON can take it: control characters and what is no UTF-8 as \xNN; of more than
-/// 1000 bytes the middle is left out.
+/// The text in a form that is safe in a terminal, a table and JSON: control characters and bytes that are not UTF-8
+/// become \xNN. Longer texts than 1000 bytes lose their middle.
 std::string printable(const std::string& text);
 
-/// Base of everything the user is told about; what() is the whole message, made printable() because it quotes files.
+/// Base of all errors that the user sees. what() is the whole message, made printable() because it may quote files.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message) : std::runtime_error(printable(message)) {}
@@ -40,7 +40,7 @@ class DataError : public Error {
   using Error::Error;
 };
 
-/// A method that cannot do a task by its nature; what() is the reason, the cell becomes `skipped`.
+/// A method cannot do a task by its nature. what() is the reason; the cell becomes `skipped`.
 class Skipped : public Error {
  public:
   using Error::Error;
@@ -52,10 +52,10 @@ class Cancelled : public Error {
   Cancelled() : Error("cancelled") {}
 };
 
-/// The candidate nearest to `name` by edit distance, or "" if none is reasonably near.
+/// The candidate with the smallest edit distance to `name`; "" if none is near enough to be meant.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
-/// "; did you mean 'x'?" or, where nothing is near, "; known are: a, b, c".
+/// "; did you mean 'x'?" or, if no candidate is near, "; known are: a, b, c".
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace isobench

@@ -40,7 +40,7 @@ TEST(Printable, EscapesWhatTerminalsAndJsonCannotTake) {
   EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");
   EXPECT_EQ(printable("\xff\xc3"), "\\xff\\xc3");
   EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");                    // a control character of its own
-  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");                    // "/" written too long
+  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");                    // an overlong form of "/"
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");           // half a surrogate pair
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
   EXPECT_STREQ(DataError("two\nlines").what(), "two\\x0alines");

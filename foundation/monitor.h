@@ -1,5 +1,5 @@
-// What a long computation tells the outside while it runs: stages with their clocks, progress, counters and traces.
-// Libraries never print; whoever runs them gives them a Monitor, and may give the Monitor a ProgressSink.
+// Through a Monitor a long computation reports stages and their times, progress, counters and traces. Libraries never
+// print: their caller gives them a Monitor, and may give the Monitor a ProgressSink.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,24 +14,24 @@
 
 namespace isobench {
 
-/// Receives progress as it happens; implemented where output goes to a person.
+/// Receives progress while a computation runs; implemented by code that shows it to the user.
 class ProgressSink {
  public:
   virtual ~ProgressSink() = default;
-  /// `fraction` is in [0, 1], or negative where the stage cannot tell how far it is.
+  /// `fraction` is in [0, 1], or negative if the stage does not know how far it is.
   virtual void show(const std::string& stage, double fraction) = 0;
 };
 
 struct StageTime {
   std::string name;           ///< nested stages read "outer/inner"
   double wall_seconds = 0.0;  ///< summed over all visits
-  double cpu_seconds = 0.0;   ///< of the whole process, all threads, and of programs that it ran to their end
+  double cpu_seconds = 0.0;   ///< of all threads of this process and of the programs whose end it waited for
 };
 
-/// Points with data, for someone to look at: an intermediate result that a run leaves behind where it is asked to.
+/// An intermediate result for people to look at, which a run keeps if it is asked to: points with data.
 struct Artefact {
   std::vector<Eigen::Vector3d> points;              ///< lattice frame, mm
-  std::map<std::string, std::vector<double>> data;  ///< one value a point
+  std::map<std::string, std::vector<double>> data;  ///< one value per point
 };
 
 class Monitor {
@@ -59,41 +59,41 @@ class Monitor {
 
   [[nodiscard]] Stage stage(const std::string& name) { return {*this, name}; }
 
-  /// Says how far the current stage is (0..1) and throws Cancelled if cancel() was called.
+  /// Reports how far the current stage is (0 to 1). Throws Cancelled if cancel() was called.
   void progress(double fraction);
   /// Throws Cancelled if cancel() was called; cheap.
   void check() const;
-  /// For what must not be left by an exception.
+  /// The same question for code that must not throw.
   bool is_cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   /// May be called from a signal handler or another thread.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
-  /// A figure for the run's record, e.g. "particles/splits"; add() sums, set() replaces.
+  /// A counter of the run's record, such as "particles/splits": set() replaces it, add() adds to it.
   void set(const std::string& name, double value) { booked_.counters[name] = value; }
   void add(const std::string& name, double value) { booked_.counters[name] += value; }
-  /// One more point of a curve for the run's record, e.g. "energy" once a sweep.
+  /// Appends a value to a curve of the run's record, such as the "energy" after each sweep.
   void trace(const std::string& name, double value) { booked_.traces[name].push_back(value); }
   /// A sentence for the run's log and record.
   void note(const std::string& sentence) { booked_.notes.push_back(sentence); }
 
-  /// Artefacts are kept while keep_artefacts() asks for them; a later one of the same name takes the place of the
-  /// earlier. Where making one costs anything, ask keeps_artefacts() first.
+  /// Artefacts are kept only while keep_artefacts(true) holds; a later one replaces an earlier one of the same name.
+  /// Ask keeps_artefacts() before making one that takes time.
   void keep_artefacts(bool keep) { keeps_artefacts_ = keep; }
   bool keeps_artefacts() const { return keeps_artefacts_; }
   void artefact(const std::string& name, Artefact artefact) {
     if (keeps_artefacts_) booked_.artefacts[name] = std::move(artefact);
   }
 
-  /// The folder that the run leaves behind, where there is one: a place for files of a computation, such as the log of
-  /// a program that it runs. Scratch folders in it begin with a dot. Empty: there is none.
+  /// The folder in which the run keeps files, such as the log of a program that it calls; empty: it keeps none. Names
+  /// of scratch folders in it begin with a dot.
   void keep_files_in(const std::filesystem::path& folder) { files_ = folder; }
   const std::filesystem::path& files() const { return files_; }
 
-  /// The memory that a program that was run for this computation took at its peak, MB (10⁶ bytes); of several the most.
+  /// Books the peak memory of a program that the computation called, MB (10⁶ bytes). The largest of several counts.
   void book_program_memory(double peak_mb) { booked_.program_memory_mb = std::max(booked_.program_memory_mb, peak_mb); }
   double program_memory_mb() const { return booked_.program_memory_mb; }
 
-  /// All that has been booked so far, for the record.
+  /// Everything that was reported so far and belongs in the record.
   struct Bookings {
     std::vector<StageTime> stages;
     std::map<std::string, double> counters;
@@ -103,8 +103,8 @@ class Monitor {
     double program_memory_mb = 0.0;
   };
   const Bookings& bookings() const { return booked_; }
-  /// Puts earlier bookings in the place of the present ones, as if what happened since had not: for an attempt that is
-  /// not kept. Call outside all stages.
+  /// Returns to earlier bookings, as if nothing had been reported since. For an attempt whose result is not kept. Call
+  /// it outside all stages.
   void restore(Bookings bookings) { booked_ = std::move(bookings); }
 
   const std::vector<StageTime>& stages() const { return booked_.stages; }

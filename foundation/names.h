@@ -1,13 +1,13 @@
-// Names that become files and folders of ours.
+// Names of files and folders that come from a user.
 #pragma once
 
 #include <string>
 
 namespace isobench {
 
-/// Whether a text may name a file or folder that we make: printable, without "/", not hidden (which ".." is, too), not
-/// to be taken for an option, and not longer than a file system can take: 100 bytes leave room for what is put behind
-/// it.
+/// Whether a text may become the name of a file or folder: it is printable and has no "/", begins with neither "."
+/// (which excludes "..") nor "-" (which reads as an option), and has at most `longest` bytes. File systems allow 255;
+/// 100 leave room for additions to the name.
 bool is_plain_name(const std::string& name, std::size_t longest = 100);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4) by libcrypto, as 64 lower-case hexadecimal digits.
+// SHA-256 (FIPS 180-4), computed by libcrypto and written as 64 lower-case hexadecimal digits.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class Sha256 {
 
   void add(const void* bytes, std::size_t count);
   void add(std::string_view text) { add(text.data(), text.size()); }
-  /// The digest of all that was added; nothing may be added after it.
+  /// The digest of everything that was added. Call it once; add nothing afterwards.
   std::string hex();
 
  private:
@@ -27,7 +27,7 @@ class Sha256 {
 };
 
 std::string sha256_of_text(std::string_view text);
-/// Throws DataError, naming the file, if it cannot be read.
+/// Throws DataError with the name of the file if it cannot be read.
 std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace isobench

@@ -4,6 +4,7 @@
 
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {

@@ -100,7 +100,7 @@ void TomlValue::fail(const std::string& expected) const {
 
 double TomlValue::as_number() const {
   if (!is_number()) fail("number");
-  // The library hands out no double for an integer that is none exactly, such as 2^53 + 1.
+  // toml++ refuses to convert integers that no double equals, such as 2^53 + 1.
   const auto* integer = as_node(node_).as_integer();
   const double value =
       integer != nullptr ? static_cast<double>(integer->get()) : as_node(node_).as_floating_point()->get();

@@ -1,5 +1,5 @@
-// TOML with places: every value knows the file, line and column it came from, so that an error can name it.
-// A thin handle over toml++, which is kept in toml.cpp because it compiles slowly.
+// TOML in which every value knows its file, line and column, so that errors can name them. Wraps toml++, which only
+// toml.cpp includes because it compiles slowly.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace isobench {
 
-/// A value of a TOML document; cheap to copy, keeps its document alive.
+/// A value of a TOML document. It is cheap to copy and keeps the document alive.
 class TomlValue {
  public:
-  /// Throws UsageError: with the place of a syntax error, or where the file cannot be read.
+  /// Throws UsageError if the file cannot be read or, with the place, for a syntax error.
   static TomlValue parse_file(const std::filesystem::path& path);
   static TomlValue parse_text(const std::string& text, const std::string& name);
 
@@ -31,21 +31,21 @@ class TomlValue {
   bool is_number() const;  ///< integer or floating point
   bool is_bool() const;
 
-  // Each throws UsageError at the value's place if the type is another one.
+  // These throw UsageError with the value's place if it has another type.
   double as_number() const;  ///< an integer or a floating-point number, but not nan
   std::int64_t as_integer() const;
   bool as_bool() const;
   std::string as_string() const;
   std::vector<TomlValue> as_array() const;
-  /// An array's elements, or the value itself as the only element.
+  /// The elements of an array; any other value counts as an array of itself.
   std::vector<TomlValue> as_list() const;
 
   /// The keys of a table, in file order.
   std::vector<std::string> keys() const;
-  /// Throws UsageError at the first key that is not among `known`, with the nearest one. `what` names the table.
+  /// Throws UsageError for the first key that is not in `known` and suggests the nearest one. `what` names the table.
   void allow_keys(const std::vector<std::string>& known, const std::string& what) const;
   std::optional<TomlValue> find(const std::string& key) const;
-  /// Throws UsageError at the table's place if the key is missing.
+  /// Throws UsageError with the table's place if the key is missing.
   TomlValue require(const std::string& key) const;
 
  private:
@@ -56,7 +56,7 @@ class TomlValue {
 
   std::shared_ptr<const Document> document_;
   const void* node_;  ///< a toml::node
-  std::string name_;  ///< what an error calls the value: its key; "" for the document itself
+  std::string name_;  ///< the key, for error messages; "" for the document itself
 };
 
 }  // namespace isobench

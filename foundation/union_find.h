@@ -1,5 +1,5 @@
-// Disjoint sets over 0..n−1; the smallest member represents its set, so the outcome does not depend on the order of
-// the unions.
+// Disjoint sets of the numbers 0 to n − 1. The smallest number of a set represents it, so that the outcome does not
+// depend on the order of the unions.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@ class UnionFind {
  public:
   explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
+  /// The representative of the set that n is in.
   std::uint32_t find(std::uint32_t n) {
     while (parent_[n] != n) {
       parent_[n] = parent_[parent_[n]];
@@ -20,7 +21,7 @@ class UnionFind {
     }
     return n;
   }
-  /// Different threads may unite at once as long as their sets never meet.
+  /// Several threads may call this at once as long as no set that one of them reads is changed by another.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -1,4 +1,4 @@
-// The one interface that every meshing method has.
+// The interface of a meshing method.
 //
 // A method is a folder under methods/ (its name is the method's name) with a `method.cpp` that defines, for a folder
 // `my-method`, `isobench::Method isobench::method_my_method()`. CMake finds the folder, compiles every .cpp in it and
@@ -18,12 +18,12 @@
 
 namespace isobench {
 
-/// Whether nothing is asked for. Only a method with Method::ignores_sizing can mesh so.
+/// True if nothing is requested. Only a method with Method::ignores_sizing can mesh without a request.
 inline bool is_empty(const SizingRequest& sizing) {
   return !sizing.epsilon && !sizing.delta && !sizing.edge_length && !sizing.vertices;
 }
 
-/// What every method is asked: mesh this surface, at this sizing.
+/// The task of a method: to mesh a surface with a requested sizing.
 class MeshingTask {
  public:
   /// Keeps a reference to the surface.
@@ -35,8 +35,8 @@ class MeshingTask {
   const Parameters parameters;
   const std::uint64_t seed;
 
-  /// The sizing field of the request, computed at the first call (stage "sizing" of that call's monitor: that is how
-  /// its seconds are booked to the method that asked) and kept.
+  /// The requested sizing field. The first call computes it, in stage "sizing" of that call's monitor: its seconds
+  /// count for the method that asks. Later calls return the same field.
   std::shared_ptr<const SizingField> sizing_field(Monitor& monitor) const;
 
  private:
@@ -45,23 +45,23 @@ class MeshingTask {
 
 struct Method {
   std::string name;
-  std::string summary;  ///< one sentence, with its source
-  int revision = 1;  ///< raise it when the method's results change: stored results of another revision are not reused
-  bool deterministic = true;  ///< same seed, same bytes, for any number of threads
-  /// Where that hangs on the parameters, whether it holds with these; else null.
+  std::string summary;        ///< one sentence, with the publication
+  int revision = 1;           ///< raise it when results change: stored results of other revisions are not reused
+  bool deterministic = true;  ///< the same seed gives the same bytes for any number of threads
+  /// If determinism depends on the parameters: whether it holds with these. Otherwise null.
   bool (*deterministic_with)(const Parameters&) = nullptr;
   bool ignores_sizing = false;  ///< triangles are of the lattice's size, whatever sizing is asked for
   ParameterSchema parameters;
-  /// The mesh in the lattice frame of the surface. Throws Skipped with the reason where the method cannot do the task.
+  /// Makes the mesh, in the lattice's frame. Throws Skipped, with the reason, if the method cannot do the task.
   TriangleMesh (*mesh)(const MeshingTask&, Monitor&) = nullptr;
 };
 
-/// Whether a method promises the same mesh for the same seed, with these parameters of its schema.
+/// Whether a method promises the same mesh for the same seed with these parameters.
 bool is_deterministic(const Method& method, const Parameters& parameters);
 
-/// All methods, in order of name.
+/// All methods, in alphabetical order.
 const std::vector<Method>& methods();
-/// Throws UsageError with the nearest valid name.
+/// The method with this name. Throws UsageError, with the nearest valid name, if there is none.
 const Method& method(const std::string& name, const Place& place = {});
 
 }  // namespace isobench

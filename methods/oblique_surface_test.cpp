@@ -1,5 +1,5 @@
-// A volume that is stretched, turned and moved has the surface of the plain volume, stretched, turned and moved: from
-// the file of every format to the mesh in millimetres.
+// If a volume is stretched, rotated and moved, its surface must be, too. Tested for the whole way from a file of every
+// format to the mesh in millimetres.
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "isobench/datasets/formats/oblique_files.h"
 #include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
@@ -14,9 +15,9 @@
 namespace isobench {
 namespace {
 
-/// The samples of oblique_files.h one millimetre apart, at the origin and along the axes of the world.
-Volume plain_volume() {
-  Volume volume;
+/// The samples of oblique_files.h with a spacing of 1 mm, at the origin, along the axes of the world.
+FloatVolume plain_volume() {
+  FloatVolume volume;
   volume.lattice.size = {nx, ny, nz};
   volume.samples = samples();
   return volume;
@@ -28,7 +29,7 @@ TriangleMesh world_mesh(Volume volume) {
   return to_world(marching_cubes(Isosurface(std::move(volume), closed_isovalue), monitor), lattice);
 }
 
-/// Where the file's own words put the point of lattice coordinates u.
+/// The position of lattice coordinates u according to the file's header.
 Eigen::Vector3d stated_place(const Eigen::Vector3d& u, const Eigen::Matrix3d& direction, const Eigen::Vector3d& first) {
   return first + direction * spacing.cwiseProduct(u);
 }
@@ -40,10 +41,10 @@ void expect_same_surface(const std::string& format, const Volume& volume, const 
   ASSERT_GT(plain.triangles.size(), 50U);
   ASSERT_EQ(found.triangles, plain.triangles) << format;
   for (std::size_t v = 0; v < plain.vertices.size(); ++v) {
-    // NIfTI keeps its orientation in single precision: 1e-5 mm at 60 mm from the origin.
+    // NIfTI stores its orientation in single precision, which gives 1e-5 mm at 60 mm from the origin.
     ASSERT_LT((found.vertices[v] - stated_place(plain.vertices[v], direction, first)).norm(), 1e-5) << format;
   }
-  // The mesh encloses the plain volume times the voxel's, whichever way it lies.
+  // The enclosed volume is that of the plain mesh times the volume of a voxel, for every orientation.
   EXPECT_NEAR(mesh_facts(found).volume, mesh_facts(plain).volume * spacing.prod(), 1e-4) << format;
 }
 
@@ -81,12 +82,12 @@ TEST(ObliqueSurface, IsThePlainOneStretchedForFormatsWithSpacingAlone) {
 }
 
 TEST(ObliqueSurface, IsMeshedByParticlesAsIfItLayStraight) {
-  Volume straight = plain_volume();
+  FloatVolume straight = plain_volume();
   straight.lattice.spacing = spacing;
-  Volume turned = straight;
+  FloatVolume turned = straight;
   turned.lattice.direction = oblique();
   turned.lattice.origin = origin;
-  const auto mesh = [](const Volume& volume) {
+  const auto mesh = [](const FloatVolume& volume) {
     const Isosurface surface(volume, closed_isovalue);
     SizingRequest request;
     request.edge_length = 0.6;

@@ -10,7 +10,7 @@ namespace isobench {
 
 namespace {
 
-// The alternatives of ParameterValue in words, in their order.
+// The alternatives of ParameterValue in words, in their order there.
 const char* type_name(const ParameterValue& value) {
   static constexpr const char* kNames[] = {"true or false", "a number", "a string"};
   return kNames[value.index()];
@@ -39,7 +39,7 @@ std::string range_in_words(const ParameterSpec& spec) {
 
 bool in_range(const ParameterSpec& spec, double value) {
   if (!std::isfinite(value) || value < spec.min || value > spec.max) return false;
-  // Parameters::integer() hands out an int.
+  // Parameters::integer() returns an int.
   return !spec.integer || (value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max());
 }
 
@@ -79,7 +79,7 @@ template <typename Type>
 const Type& get(const std::map<std::string, ParameterValue>& values, const std::string& name) {
   const auto found = values.find(name);
   const Type* value = found == values.end() ? nullptr : std::get_if<Type>(&found->second);
-  // Not the user's doing: a method asks for what its own schema does not declare.
+  // A mistake in the method, not in the user's input.
   if (value == nullptr) throw std::logic_error("the method's schema does not declare '" + name + "' with this type");
   return *value;
 }
@@ -95,7 +95,7 @@ std::string to_string(const ParameterValue& value) {
 Parameters::Parameters(const ParameterSchema& schema) {
   for (const ParameterSpec& spec : schema) {
     if (spec.required)
-      values_[spec.name] = spec.default_value;  // which no check would let through
+      values_[spec.name] = spec.default_value;  // would not pass the check
     else
       set(schema, spec.name, spec.default_value);
   }
@@ -105,7 +105,7 @@ void Parameters::set(const ParameterSchema& schema, const std::string& name, con
                      const Place& place) {
   check(find_spec(schema, name, place), value, place);
   values_[name] = value;
-  // −0 is 0, and must not be taken for another value where parameters are compared as text.
+  // −0 becomes 0: they are equal, but differ as text, by which parameters are compared.
   if (auto* number = std::get_if<double>(&values_[name])) *number += 0.0;
 }
 

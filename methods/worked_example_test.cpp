@@ -1,4 +1,4 @@
-// The method that README.md prints, compiled from there: what the text promises must be so.
+// Compiles the method in README.md and checks what the text says about it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ TEST(WorkedExample, MeshesThePhantomsClosedOutwardAndOnTheSurface) {
       const Jet jet = surface.value_gradient(x);
       ASSERT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * surface.voxel()) << p.name;
     }
-    // The spline's shift and the chords of voxel-sized triangles; voxels are up to 0.9 mm.
+    // The tolerance covers the spline's shift and the chords of triangles as large as voxels, which are up to 0.9 mm.
     EXPECT_NEAR(facts.volume / p.volume.value_or(facts.volume), 1.0, 0.03) << p.name;
   }
 }

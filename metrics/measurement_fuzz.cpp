@@ -12,7 +12,7 @@ namespace {
 
 const Isosurface& small_ball() {
   static const Isosurface ball = [] {
-    Volume volume;
+    FloatVolume volume;
     volume.lattice.size = {9, 9, 9};
     for (int k = 0; k < 9; ++k) {
       for (int j = 0; j < 9; ++j) {

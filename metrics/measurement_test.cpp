@@ -16,7 +16,7 @@ namespace {
 
 /// A torus around the z axis, radii 2 and 1 times 5 mm, as sample_meshes::torus.
 Isosurface torus_surface() {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {41, 41, 25};
   for (int k = 0; k < 25; ++k) {
     for (int j = 0; j < 41; ++j) {

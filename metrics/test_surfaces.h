@@ -10,7 +10,7 @@ namespace isobench {
 
 /// The plane z = 10.25 in a lattice of spacing (1, 2, 0.5), inside below it: splines reproduce a linear function.
 inline Isosurface plane() {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {21, 11, 41};
   volume.lattice.spacing = {1.0, 2.0, 0.5};
   for (int k = 0; k < 41; ++k) volume.samples.insert(volume.samples.end(), 21 * 11, static_cast<float>(0.5 * k));
@@ -19,7 +19,7 @@ inline Isosurface plane() {
 
 /// A ball of radius 12 mm around (20, 20, 20).
 inline Isosurface ball() {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {41, 41, 41};
   for (int k = 0; k < 41; ++k) {
     for (int j = 0; j < 41; ++j) {

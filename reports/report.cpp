@@ -18,10 +18,10 @@ namespace isobench {
 
 namespace {
 
-// Beyond these nobody looks, and each is a tenth of a second.
+// Nobody looks at more than these, and each takes a tenth of a second.
 constexpr std::size_t most_plots = 120;
 
-// Plots and pictures, made or found made.
+// Makes the plots and pictures that are not there yet.
 Exhibits exhibits_of(const Results& results, const std::filesystem::path& folder) {
   Exhibits exhibits;
   Pictures pictures = make_pictures(results, folder);
@@ -30,7 +30,8 @@ Exhibits exhibits_of(const Results& results, const std::filesystem::path& folder
   exhibits.across = pictures.across;
   exhibits.plots = all_plots(results, pictures.edges_over_h);
   if (exhibits.plots.size() > most_plots) {
-    exhibits.missing.push_back(fmt::format("Of {} plots the first {} are drawn.", exhibits.plots.size(), most_plots));
+    exhibits.missing.push_back(
+        fmt::format("Only the first {1} of {0} plots are drawn.", exhibits.plots.size(), most_plots));
     exhibits.plots.resize(most_plots);
   }
   Drawn drawn = draw(exhibits.plots, folder / "plots");

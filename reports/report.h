@@ -1,4 +1,4 @@
-// The reports of a results folder, made from what is stored.
+// Writes the reports of a results folder from what the folder stores.
 #pragma once
 
 #include <filesystem>
@@ -7,20 +7,20 @@
 
 namespace isobench {
 
-/// How much of a report is made.
+/// Which files of a report are made.
 enum class ReportParts {
-  tables,  ///< tables.md, tables.tex, results.csv and results.columns.md, which says what its columns are
-  all,     ///< and plots/, pictures/ and report.html, which has it all
+  tables,  ///< tables.md, tables.tex, results.csv and results.columns.md, which explains the columns
+  all,     ///< the same and plots/, pictures/ and report.html
 };
 
 struct Report {
   std::string tables;                ///< the text of tables.md
-  std::vector<std::string> written;  ///< names of the files to look at, in the folder; the best one last
-  std::vector<std::string> missing;  ///< a sentence for each thing that could not be made, with the remedy
+  std::vector<std::string> written;  ///< names of the main files in the folder; the most useful one last
+  std::vector<std::string> missing;  ///< one sentence for each thing that could not be made, with the remedy
 };
 
-/// Writes the report of a folder from what it stores, finished or not. What has not changed keeps its bytes. Throws
-/// DataError where `folder` is no results folder.
+/// Writes the report of a results folder, which may be half-finished. The same results give the same bytes. Throws
+/// DataError if `folder` is not a results folder.
 Report write_report(const std::filesystem::path& folder, ReportParts parts = ReportParts::all);
 
 }  // namespace isobench

@@ -18,18 +18,18 @@ namespace {
 
 std::string provenance(const Results& results) {
   std::set<std::string> codes;
-  std::map<std::string, std::pair<double, double>> machines;  // least and greatest load
+  std::map<std::string, std::pair<double, double>> machines;  // smallest and largest load
   for (const RunRecord& record : results.records) {
     const Environment& here = record.environment;
     codes.insert(fmt::format("isobench {} at {}{}, {} {}", here.version, here.commit.substr(0, 12),
-                             here.dirty ? " with changes" : "", here.compiler, here.build_type));
+                             here.dirty ? " with local changes" : "", here.compiler, here.build_type));
     const auto [place, fresh] = machines.try_emplace(timing_of(record), here.load, here.load);
     place->second = {std::min(place->second.first, here.load), std::max(place->second.second, here.load)};
   }
   std::string text;
   for (const std::string& code : codes) text += "- made by " + code + "\n";
   for (const auto& [machine, load] : machines) {
-    text += fmt::format("- on {}; load before the runs {:.1f} to {:.1f}\n", machine, load.first, load.second);
+    text += fmt::format("- on {}; load average before the runs {:.1f} to {:.1f}\n", machine, load.first, load.second);
   }
   return text.empty() ? "" : text + "\n";
 }
@@ -55,23 +55,25 @@ std::string footnotes(const Results& results) {
   };
   if (any([](const RunRecord& record) { return !dagger(record).empty(); })) {
     text +=
-        "† not a closed manifold: see boundary edges, pinches and misoriented edges in the topology table. Medians and "
-        "averages are over closed manifolds alone where there are any; what they leave out is said beside them.\n";
+        "† The mesh is not a closed manifold: see boundary edges, pinches and misoriented edges in the topology table. "
+        "Such a mesh counts in medians and averages only if no other mesh of the same cell is closed and manifold. The "
+        "number of meshes left out stands beside the figure.\n";
   }
   if (any([](const RunRecord& record) { return record.match && !record.match->reason.empty(); })) {
-    text += "‡ not of the number of vertices that it was to be matched to: see the table of matches.\n";
+    text += "‡ The mesh does not have the number of vertices that it should be matched to: see the table of matches.\n";
   }
   if (any([](const RunRecord& record) { return !record.deterministic; })) {
     std::set<std::string> names;
     for (const RunRecord& record : results.records) {
       if (!record.deterministic) names.insert(record.request.label);
     }
-    text += fmt::format("Not the same mesh at every run, by their own word: {}.\n", fmt::join(names, ", "));
+    text += fmt::format("Methods that declare that they do not give the same mesh at every run: {}.\n",
+                        fmt::join(names, ", "));
   }
   return text.empty() ? "" : text + "\n";
 }
 
-// Methods that promise the same mesh for the same seed, and did not keep it.
+// Methods that promise the same mesh for the same seed but gave different ones.
 std::string broken_promises(const Results& results) {
   const RunGrid runs = arrange_runs(results);
   std::string text;
@@ -80,8 +82,9 @@ std::string broken_promises(const Results& results) {
       const Runs& group = find_runs(variant, dataset);
       const std::size_t meshes = different_meshes(group);
       if (meshes < 2 || !group.front()->deterministic) continue;
-      text += fmt::format("- {} on {}: {} different meshes in repeats of one seed, though it promises one\n",
-                          variant.name, dataset, meshes);
+      text += fmt::format(
+          "- {} on {}: {} different meshes in repeats of one seed, although the method promises the same mesh\n",
+          variant.name, dataset, meshes);
     }
   }
   return text.empty() ? "" : "**Not deterministic**\n\n" + text + "\n";
@@ -93,8 +96,8 @@ std::string markdown_tables(const Results& results) {
   std::string text = "# " + results.title + "\n\n" + provenance(results) + gaps(results) + broken_promises(results);
   if (!seed_table(arrange_runs(results)).empty()) {
     text +=
-        "Where a row says seeds or repeats, a figure is the median of the finished runs and, in brackets, their "
-        "range (smallest–largest).\n\n";
+        "In a row with several seeds or repeats, a figure is the median of the finished runs, followed by their range "
+        "(smallest–largest).\n\n";
   }
   for (const Table& table : all_tables(results)) text += markdown(table) + "\n";
   text += claims_section(results);

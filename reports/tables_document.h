@@ -1,4 +1,4 @@
-// tables.md: every table of a results folder in one Markdown document.
+// tables.md: all tables of a results folder in one Markdown document.
 #pragma once
 
 #include <string>
@@ -7,10 +7,9 @@
 
 namespace isobench {
 
-/// All tables of a results folder. Runs that are not ok stand in their cells with status and reason; meshes that are
-/// not closed and manifold carry a dagger and stay out of medians and averages while others are, and numbers of
-/// vertices that could not be matched a double dagger. Under each table stand the definitions of its figures and the
-/// published source.
+/// The text of tables.md. A run that failed shows its status and reason in its cell. † marks a mesh that is not closed
+/// and manifold; such meshes do not count in medians and averages (counted_runs()). ‡ marks a number of vertices that
+/// could not be matched. Under each table are the definitions of its figures and the source of the published ones.
 std::string markdown_tables(const Results& results);
 
 }  // namespace isobench

@@ -19,7 +19,7 @@ struct ByteReader::State {
   Encoding encoding = Encoding::plain;
   z_stream stream{};
   std::vector<char> input;
-  std::vector<char> lines;  // what read_line() took from the file but has not handed out
+  std::vector<char> lines;  // bytes that read_line() has read from the file but not returned
   std::size_t lines_begin = 0;
   bool ended = false;
   std::uintmax_t file_size = 0;
@@ -47,8 +47,9 @@ ByteReader::ByteReader(std::filesystem::path path, Encoding encoding, std::uintm
   state_->encoding = encoding;
   if (encoding == Encoding::deflated) {
     state_->input.resize(chunk_bytes);
-    // 15 bits of window, +32: zlib finds out by itself whether the stream is gzip's or zlib's.
-    if (inflateInit2(&state_->stream, 15 + 32) != Z_OK) throw DataError(path_.string() + ": zlib cannot be started");
+    // 15 bits of window; +32: zlib detects whether the stream is gzip's or zlib's.
+    if (inflateInit2(&state_->stream, 15 + 32) != Z_OK)
+      throw DataError(path_.string() + ": zlib cannot be started; free some memory");
   }
 }
 
@@ -64,11 +65,11 @@ std::size_t ByteReader::State::inflate_some(char* bytes, std::size_t count, cons
     if (stream.avail_in == 0) {
       stream.next_in = reinterpret_cast<Bytef*>(input.data());
       stream.avail_in = static_cast<uInt>(read_file(input.data(), input.size()));
-      if (stream.avail_in == 0) break;  // truncated: the caller misses bytes
+      if (stream.avail_in == 0) break;  // truncated: the caller gets fewer bytes than it asked for
     }
     const int code = inflate(&stream, Z_NO_FLUSH);
     if (code == Z_STREAM_END) {
-      // A gzip file may hold several members; anything else after the end is padding.
+      // A gzip file may have several members; other bytes after the end are padding.
       const bool more = stream.avail_in >= 2 && stream.next_in[0] == 0x1f && stream.next_in[1] == 0x8b;
       if (more)
         inflateReset(&stream);
@@ -108,7 +109,7 @@ bool ByteReader::read_line(std::string& line, std::size_t limit) {
   bool any = false;
   while (line.size() < limit) {
     if (begin == lines.size()) {
-      lines.clear();  // both, so that read() takes the new bytes from the file and not from here
+      lines.clear();  // so that read(), below, takes new bytes from the file
       begin = 0;
       std::vector<char> block(4096);
       block.resize(read(block.data(), block.size()));
@@ -140,7 +141,7 @@ void ByteReader::finish() {
   if (state_->encoding == Encoding::plain) return;
   if (skip(chunk_bytes) == chunk_bytes) {
     throw DataError(path_.string() +
-                    ": its compressed data go on long after the samples that its header promises; export it again");
+                    ": its compressed data go on long after the samples that its header states; export it again");
   }
   if (!state_->ended) {
     throw DataError(path_.string() + ": truncated: its compressed data stop before their end; copy or export it again");

@@ -47,14 +47,18 @@ inline Eigen::Vector3d world_of(int i, int j, int k) {
   return origin + oblique() * spacing.cwiseProduct(Eigen::Vector3d(i, j, k));
 }
 
+/// The samples as floats, for what does not look at their type.
+inline std::vector<float> floats_of(const Volume& volume) { return as_float(volume).samples; }
+
 /// Each node's sample and world position. 1e-5 mm: NIfTI keeps its orientation in single precision.
 inline void expect_oblique(const Volume& volume) {
   ASSERT_EQ(volume.lattice.size, (std::array<int, 3>{nx, ny, nz}));
   ASSERT_EQ(volume.samples.size(), static_cast<std::size_t>(nx * ny * nz));
+  const FloatVolume floats = as_float(volume);
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
-        EXPECT_EQ(volume.at(i, j, k), sample_at(i, j, k));
+        EXPECT_EQ(floats.at(i, j, k), sample_at(i, j, k));
         const Eigen::Vector3d world =
             volume.lattice.to_world(volume.lattice.spacing.cwiseProduct(Eigen::Vector3d(i, j, k)));
         EXPECT_LT((world - world_of(i, j, k)).norm(), 1e-5) << i << ' ' << j << ' ' << k;

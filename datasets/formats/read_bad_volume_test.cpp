@@ -1,14 +1,15 @@
-// Files that are not as they should be: one sentence naming the file, and nothing printed.
+// Damaged, incomplete and hostile files: the error is one sentence that names the file, and nothing is printed.
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {
 
-/// One whole file of each format, by its ending.
+/// A complete file of each format and encoding, with its name.
 std::vector<std::pair<std::string, std::string>> whole_files() {
   NiftiHeader nifti;
   nifti.put_sform(oblique(), origin);
@@ -34,7 +35,7 @@ TEST(ReadVolumeBadInput, TruncatedFilesOfEveryFormat) {
   for (const auto& [name, bytes] : whole_files()) {
     SCOPED_TRACE(name);
     EXPECT_NO_THROW(read_volume(folder.write(name, bytes)));
-    // A few bytes short (only a checksum's tail, where compressed), by half, and within the header.
+    // Without the last bytes (of a compressed file only the end of the checksum), cut in half, and cut in the header.
     const std::size_t tail = name == "g.vti" ? 40 : name == "j.nrrd" ? 4 : 3;
     for (const std::size_t length : {bytes.size() - tail, bytes.size() / 2, bytes.size() / 10, std::size_t{5}}) {
       expect_data_error(folder.write("cut-" + name, bytes.substr(0, length)), "");
@@ -122,7 +123,7 @@ TEST(ReadVolumeBadInput, CompressedDataThatGoOnForLong) {
   expect_data_error(
       folder.write("d.inr.gz", deflated(inrimage(inrimage_fields("TYPE=float\nPIXSIZE=32 bits", "decm"), zeros), true)),
       long_after);
-  // A text without an end, which is one number that has none.
+  // A text that is one endless number.
   std::string text = nrrd_header("float", "ascii");
   text.replace(text.find("encoding: ascii"), 15, "encoding: ascii\nbyte skip: 0");
   expect_data_error(folder.write("e.nrrd", text + "\n" + std::string(std::size_t{8} << 20U, '1')), "not a number");
@@ -130,7 +131,7 @@ TEST(ReadVolumeBadInput, CompressedDataThatGoOnForLong) {
 
 TEST(ReadVolumeBadInput, CompressedDataThatPromiseWhatTheyDoNotHold) {
   const TestFolder folder;
-  // Deflate could hold as much in so many bytes, so only reading them shows that they do not.
+  // So many bytes could hold as much when deflated; only reading them shows that they do not.
   const std::string data = deflated(std::string(20000, '\x5a') + std::string(300000, '\0'), true);
   std::string nrrd = nrrd_header("uchar", "gzip") + "\n";
   nrrd.replace(nrrd.find("sizes: 7 6 5"), 12, "sizes: 100 100 100");

@@ -1,4 +1,4 @@
-// INRIMAGE-4: a text header padded to a multiple of 256 bytes that ends with "##}", then plain samples.
+// INRIMAGE-4: a text header that is padded to a multiple of 256 bytes and ends with "##}", then plain samples.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/sample_data.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -58,15 +59,15 @@ SampleType type_of(const std::map<std::string, std::string>& fields, const std::
   }
   throw DataError(
       fmt::format("{}: TYPE '{}' with PIXSIZE '{}' cannot be read; readable are float of 32 or 64 bits and "
-                  "signed or unsigned fixed of 8, 16 or 32 bits",
+                  "signed or unsigned fixed of 8 to 64 bits",
                   path.string(), type, size));
 }
 
 ByteOrder order_of(const std::string& cpu, const std::filesystem::path& path) {
   if (cpu == "decm" || cpu == "alpha" || cpu == "pc") return ByteOrder::little;
   if (cpu == "sun" || cpu == "sgi") return ByteOrder::big;
-  throw DataError(
-      fmt::format("{}: its byte order CPU={} is not known; known are decm, alpha, pc, sun, sgi", path.string(), cpu));
+  throw DataError(fmt::format("{}: its byte order CPU={} is not known; export it with decm, alpha, pc, sun or sgi",
+                              path.string(), cpu));
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ Volume read_inrimage(const std::filesystem::path& path) {
   const auto number = [&](const char* key, double otherwise) {
     return fields.contains(key) ? numbers_in(fields.at(key), 1, path, key).front() : otherwise;
   };
-  if (number("VDIM", 1.0) != 1.0) throw DataError(path.string() + ": it has vectors for samples; give a scalar volume");
+  if (number("VDIM", 1.0) != 1.0) throw DataError(path.string() + ": its samples are vectors; give a scalar volume");
   std::array<long long, 3> size{};
   const char* const names[] = {"XDIM", "YDIM", "ZDIM"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -88,8 +89,8 @@ Volume read_inrimage(const std::filesystem::path& path) {
   const Eigen::Vector3d origin(number("TX", 0.0), number("TY", 0.0), number("TZ", 0.0));
   Volume volume;
   volume.lattice = make_lattice(path, size, spacing, Eigen::Matrix3d::Identity(), origin, "");
-  const SampleType type = type_of(fields, path);
-  read_samples(reader, volume.lattice.nodes(), type, order_of(fields.contains("CPU") ? fields.at("CPU") : "decm", path),
+  volume.samples = Samples(type_of(fields, path));
+  read_samples(reader, volume.lattice.nodes(), order_of(fields.contains("CPU") ? fields.at("CPU") : "decm", path),
                volume.samples);
   return volume;
 }

@@ -1,5 +1,5 @@
-// MetaImage. VTK 9.1's reader drops TransformMatrix, prints to the terminal and carries on where data are missing, so
-// the header is read here; the tests compare samples with VTK's.
+// MetaImage. The header is read here, because the reader of VTK 9.1 ignores TransformMatrix, prints to the terminal and
+// carries on if data are missing. The tests compare samples with VTK's.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/sample_data.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -22,7 +23,7 @@ class Header {
       if (equals == std::string::npos || line.find('\0') != std::string::npos) break;
       const std::string key = trimmed(line.substr(0, equals));
       fields_[key] = trimmed(line.substr(equals + 1));
-      if (key == "ElementDataFile") return;  // the last by definition; plain data may follow
+      if (key == "ElementDataFile") return;  // the last field by definition; plain data may follow
     }
     if (!fields_.contains("ObjectType") && !fields_.contains("NDims")) {
       throw DataError(path_.string() + ": not a MetaImage file; give it the ending of its own format");
@@ -51,19 +52,20 @@ class Header {
 };
 
 Lattice lattice_of(const Header& header, const std::filesystem::path& path) {
-  if (header.numbers({"NDims"}, 1, "3").front() != 3.0) throw DataError(path.string() + ": not 3-D; give a 3-D volume");
+  if (header.numbers({"NDims"}, 1, "3").front() != 3.0)
+    throw DataError(path.string() + ": its NDims is not 3; give a 3-D volume");
   if (header.numbers({"ElementNumberOfChannels"}, 1, "1").front() != 1.0) {
-    throw DataError(path.string() + ": it has vectors for samples; give a scalar volume");
+    throw DataError(path.string() + ": its samples are vectors; give a scalar volume");
   }
   const std::vector<double> dims = header.numbers({"DimSize"}, 3, "");
   std::array<long long, 3> size{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     size[axis] = dims[axis] >= 1.0 && dims[axis] < 1e9 ? std::llround(dims[axis]) : 0;
   const double unit = unit_in_mm(header.text({"DistanceUnits"}, "mm"), path);
-  // ElementSize is the extent of a sample, a substitute where the distance between samples is not said.
+  // ElementSize, the extent of a sample, takes the place of a missing distance between samples.
   const std::vector<double> spacing = header.numbers({"ElementSpacing", "ElementSize"}, 3, "1 1 1");
   const std::vector<double> origin = header.numbers({"Offset", "Position", "Origin"}, 3, "0 0 0");
-  // Row after row in the file; each row is the world direction of one axis, so a column of ours.
+  // The file has row after row. A row is the world direction of one axis, which is a column here.
   const std::vector<double> matrix =
       header.numbers({"TransformMatrix", "Rotation", "Orientation"}, 9, "1 0 0 0 1 0 0 0 1");
   return make_lattice(path, size, unit * Eigen::Vector3d(spacing.data()),
@@ -80,15 +82,16 @@ Volume read_metaimage(const std::filesystem::path& path) {
   const std::string type_name = header.text({"ElementType"}, "");
   const auto type = sample_type(type_name);
   if (!type)
-    throw DataError(
-        fmt::format("{}: its ElementType '{}' cannot be read; export it as MET_FLOAT", path.string(), type_name));
+    throw DataError(fmt::format("{}: its ElementType '{}' cannot be read; export it as a scalar type such as MET_FLOAT",
+                                path.string(), type_name));
   const bool big = header.flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false);
   const bool compressed = header.flag({"CompressedData"}, false);
   const std::size_t nodes = volume.lattice.nodes();
+  volume.samples = Samples(*type);
 
   const auto read = [&](ByteReader& data) {
     if (!header.flag({"BinaryData"}, true)) return read_text_samples(data, nodes, volume.samples);
-    read_samples(data, nodes, *type, big ? ByteOrder::big : ByteOrder::little, volume.samples);
+    read_samples(data, nodes, big ? ByteOrder::big : ByteOrder::little, volume.samples);
   };
   const std::string file = header.text({"ElementDataFile"}, "");
   const Encoding encoding = compressed ? Encoding::deflated : Encoding::plain;
@@ -109,8 +112,9 @@ Volume read_metaimage(const std::filesystem::path& path) {
   const std::uintmax_t bytes = nodes * bytes_of(*type);
   std::error_code error;
   std::uintmax_t file_bytes = std::filesystem::file_size(data_path, error);
-  if (error) file_bytes = 0;  // which is said when it is opened
-  // A HeaderSize of -1 means that the data are the end of the file; one beyond the file is its end.
+  if (error) file_bytes = 0;  // opening the file throws the error
+  // A HeaderSize of -1 means that the data are the last bytes of the file. One beyond the file counts as the file's
+  // end.
   const std::uintmax_t offset = skip >= 0.0
                                     ? static_cast<std::uintmax_t>(std::min(skip, static_cast<double>(file_bytes)))
                                     : file_bytes - std::min(bytes, file_bytes);

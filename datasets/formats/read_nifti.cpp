@@ -1,5 +1,5 @@
-// NIfTI-1 and NIfTI-2 in one file. The fields stand at fixed places of a binary header, which is checked here in full:
-// VTK 9.1's reader believes it, and keeps the orientation beside its image.
+// NIfTI-1 and NIfTI-2, header and samples in one file. The header is binary, with fields at fixed places. It is checked
+// here in full: the reader of VTK 9.1 does not check it, and leaves the orientation out of its image.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -20,14 +20,14 @@ namespace {
 constexpr std::size_t size_1 = 348;  // of a header of version 1
 constexpr std::size_t size_2 = 540;
 
-/// What both versions say, in one form.
+/// The fields of both versions in one form.
 struct NiftiHeader {
   int version = 1;
   ByteOrder order = ByteOrder::little;
-  std::array<long long, 8> dim{};  // [0] is their number
+  std::array<long long, 8> dim{};  // [0] is the number of dimensions
   int datatype = 0;
   int bits = 0;
-  std::array<double, 8> pixdim{};  // [0] is the handedness of the qform
+  std::array<double, 8> pixdim{};  // [0] is the qform's handedness
   double offset = 0.0;
   double slope = 0.0;
   double intercept = 0.0;
@@ -47,7 +47,7 @@ Value value_at(const std::string& bytes, std::size_t at, ByteOrder order) {
   return std::bit_cast<Value>(raw);
 }
 
-/// Fields one after another; the versions differ in the types and in the order of the groups.
+/// Consecutive fields of one type. The versions differ in the types and in the order of the groups.
 template <class Value, class Target>
 void fields_at(const std::string& bytes, std::size_t at, ByteOrder order, Target* target, std::size_t count) {
   for (std::size_t n = 0; n < count; ++n)
@@ -107,7 +107,7 @@ NiftiHeader read_nifti_header(ByteReader& reader) {
       const auto size = static_cast<std::size_t>(value_at<std::uint32_t>(bytes, 0, order));
       if (size == size_1 && bytes.compare(344, 4, std::string("n+1\0", 4)) == 0) return version_1(bytes, order);
       if (size == size_1 && bytes.compare(344, 4, std::string("ni1\0", 4)) == 0) {
-        throw DataError(path + ": its samples are in another file; convert the two to one .nii file");
+        throw DataError(path + ": its samples are in another file; convert header and samples to one .nii file");
       }
       if (size == size_2 && bytes.compare(4, 4, std::string("n+2\0", 4)) == 0) {
         if (reader.read(bytes.data() + size_1, size_2 - size_1) == size_2 - size_1) return version_2(bytes, order);
@@ -126,17 +126,18 @@ SampleType type_of(const NiftiHeader& header, const std::filesystem::path& path)
   for (const auto& [code, type] : types) {
     if (code != header.datatype) continue;
     if (static_cast<std::size_t>(header.bits) == 8 * bytes_of(type)) return type;
-    throw DataError(fmt::format("{}: its samples have {} bits, which is not its datatype {}; the header is damaged",
-                                path.string(), header.bits, code));
+    throw DataError(
+        fmt::format("{}: its samples have {} bits, which does not fit its datatype {}; copy or export it again",
+                    path.string(), header.bits, code));
   }
-  throw DataError(fmt::format("{}: samples of datatype {} cannot be read; convert it to a scalar volume of floats",
+  throw DataError(fmt::format("{}: samples of datatype {} cannot be read; convert it to a volume of integers or floats",
                               path.string(), header.datatype));
 }
 
 std::array<long long, 3> size_of(const NiftiHeader& header, const std::filesystem::path& path) {
   if (header.dim[0] < 1 || header.dim[0] > 7) {
-    throw DataError(
-        fmt::format("{}: it cannot have {} dimensions; the header is damaged", path.string(), header.dim[0]));
+    throw DataError(fmt::format("{}: its header states {} dimensions, not 1 to 7; copy or export it again",
+                                path.string(), header.dim[0]));
   }
   const auto dimensions = static_cast<std::size_t>(header.dim[0]);
   for (std::size_t axis = 4; axis <= dimensions; ++axis) {
@@ -165,7 +166,7 @@ Eigen::Matrix3d steps_of(const NiftiHeader& header) {
   voxel = voxel.cwiseAbs();
   if (header.sform > 0) return header.srow.leftCols<3>();
   if (header.qform <= 0) return voxel.asDiagonal();
-  // The quaternion is a unit one of real part ≥ 0, which is not stored; rounding may make the rest longer than 1.
+  // A unit quaternion with real part ≥ 0; the real part is not stored. Rounding may make the rest longer than 1.
   const double rest = 1.0 - header.quaternion.squaredNorm();
   Eigen::Quaterniond q(std::sqrt(std::max(rest, 0.0)), header.quaternion[0], header.quaternion[1],
                        header.quaternion[2]);
@@ -181,16 +182,39 @@ Lattice lattice_of(const NiftiHeader& header, const std::filesystem::path& path)
   return make_lattice(path, size_of(header, path), steps.colwise().norm(), steps, origin, placed ? "RAS" : "");
 }
 
-/// On to the samples: behind the header there may be extensions.
+/// Skips what is left of the header and the extensions that may follow it.
 void skip_to_samples(ByteReader& reader, const NiftiHeader& header) {
   constexpr double limit = 1 << 26;
   if (!(header.offset < limit)) {
-    throw DataError(fmt::format("{}: its samples cannot begin at byte {}; the header is damaged",
-                                reader.path().string(), header.offset));
+    throw DataError(
+        fmt::format("{}: its samples cannot begin at byte {}, as its header states; copy or export it again",
+                    reader.path().string(), header.offset));
   }
   const std::size_t done = header.version == 1 ? size_1 : size_2;
   const std::size_t offset = std::max(static_cast<std::size_t>(std::max(header.offset, 0.0)), done + 4);
   reader.skip(offset - done);
+}
+
+/// slope · sample + intercept, computed in double. Integers keep their type where this changes nothing, so that labels
+/// stay what they are.
+Samples scaled(Samples samples, const NiftiHeader& header) {
+  // The format states that a slope of 0 means no scaling.
+  if (!std::isfinite(header.slope) || header.slope == 0.0) return samples;
+  return samples.visit([&](auto& values) -> Samples {
+    using T = SampleOf<decltype(values)>;
+    if (std::is_integral_v<T> && header.slope == 1.0 && header.intercept == 0.0) return std::move(values);
+    using Real = RealOf<T>;
+    if constexpr (std::is_same_v<T, Real>) {
+      for (Real& value : values) value = static_cast<Real>(header.slope * value + header.intercept);
+      return std::move(values);
+    } else {
+      std::vector<Real> reals;
+      reals.reserve(values.size());
+      for (const T value : values)
+        reals.push_back(static_cast<Real>(header.slope * static_cast<double>(value) + header.intercept));
+      return reals;
+    }
+  });
 }
 
 bool is_gzip(const std::filesystem::path& path) {
@@ -206,14 +230,10 @@ Volume read_nifti(const std::filesystem::path& path) {
   const NiftiHeader header = read_nifti_header(reader);
   Volume volume;
   volume.lattice = lattice_of(header, path);
-  const SampleType type = type_of(header, path);
+  volume.samples = Samples(type_of(header, path));
   skip_to_samples(reader, header);
-  read_samples(reader, volume.lattice.nodes(), type, header.order, volume.samples);
-  // A slope of 0 means that none is given.
-  if (std::isfinite(header.slope) && header.slope != 0.0) {
-    for (float& sample : volume.samples) sample = static_cast<float>(header.slope * sample + header.intercept);
-  }
-  return volume;
+  read_samples(reader, volume.lattice.nodes(), header.order, volume.samples);
+  return {std::move(volume.lattice), scaled(std::move(volume.samples), header)};
 }
 
 }  // namespace isobench

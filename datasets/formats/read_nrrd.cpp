@@ -1,5 +1,5 @@
-// NRRD. VTK 9.1's reader drops the space directions and carries on where data are missing, so the header is read here;
-// the tests compare samples with VTK's.
+// NRRD. The header is read here, because the reader of VTK 9.1 ignores the space directions and carries on if data are
+// missing. The tests compare samples with VTK's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/sample_data.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -29,11 +30,6 @@ struct NrrdHeader {
   }
 };
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 NrrdHeader read_nrrd_header(ByteReader& reader) {
   NrrdHeader header{reader.path(), {}};
   std::string line;
@@ -44,8 +40,8 @@ NrrdHeader read_nrrd_header(ByteReader& reader) {
     if (line.empty()) break;
     const std::size_t colon = line.find(": ");
     if (line[0] == '#' || colon == std::string::npos) continue;  // a comment, or a key:=value pair
-    std::string key = lower(trimmed(line.substr(0, colon)));
-    // Each field may be written in more than one way.
+    std::string key = lower_case(trimmed(line.substr(0, colon)));
+    // A field's name may be written with or without blanks, in either case.
     key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
     header.fields[key] = trimmed(line.substr(colon + 1));
   }
@@ -57,9 +53,9 @@ NrrdHeader read_nrrd_header(ByteReader& reader) {
   return header;
 }
 
-/// The world's axes; what is neither RAS nor LPS but a mirror image of them is turned into RAS by `flip`.
+/// The world's axes. Coordinates in LAS, a mirror image of RAS, become RAS when `flip` multiplies them.
 std::string space_of(const NrrdHeader& header, Eigen::Vector3d& flip) {
-  const std::string space = lower(header.text("space"));
+  const std::string space = lower_case(header.text("space"));
   flip.setOnes();
   if (space == "right-anterior-superior" || space == "ras") return "RAS";
   if (space == "left-posterior-superior" || space == "lps") return "LPS";
@@ -70,7 +66,7 @@ std::string space_of(const NrrdHeader& header, Eigen::Vector3d& flip) {
   return "";
 }
 
-/// "mm" out of `"mm" "mm" "mm"`; all axes of space must have one unit.
+/// "mm" from `"mm" "mm" "mm"`. Throws DataError unless all axes have the same unit.
 std::string unit_of(const NrrdHeader& header) {
   const std::string units = header.text("spaceunits");
   std::string unit;
@@ -111,7 +107,7 @@ Lattice lattice_of(const NrrdHeader& header) {
     const std::vector<double> given = header.numbers("spacings", 3);
     for (int axis = 0; axis < 3; ++axis) {
       const double length = given[static_cast<std::size_t>(axis)];
-      spacing[axis] = std::isnan(length) ? 1.0 : std::abs(length);  // the format's way to say "unknown"
+      spacing[axis] = std::isnan(length) ? 1.0 : std::abs(length);  // NaN is the format's "unknown"
     }
   }
   if (header.has("spaceorigin")) {
@@ -129,7 +125,7 @@ void skip_lines(ByteReader& reader, double lines) {
 }
 
 void read_data(const NrrdHeader& header, const std::filesystem::path& data, std::uintmax_t begin, Volume& volume) {
-  const std::string encoding = lower(header.text("encoding"));
+  const std::string encoding = lower_case(header.text("encoding"));
   const std::string type_name = header.text("type");
   const auto type = sample_type(type_name);
   if (!type) {
@@ -140,14 +136,14 @@ void read_data(const NrrdHeader& header, const std::filesystem::path& data, std:
   const bool zipped = encoding == "gzip" || encoding == "gz";
   const bool text = encoding == "ascii" || encoding == "text" || encoding == "txt";
   if (!zipped && !text && encoding != "raw") {
-    throw DataError(fmt::format("{}: its encoding '{}' cannot be read; readable are raw, gzip and ascii",
+    throw DataError(fmt::format("{}: its encoding '{}' cannot be read; export it with raw, gzip or ascii",
                                 header.path.string(), encoding));
   }
   const ByteOrder native = std::endian::native == std::endian::big ? ByteOrder::big : ByteOrder::little;
-  const std::string endian = lower(header.text("endian"));
+  const std::string endian = lower_case(header.text("endian"));
   const ByteOrder order = endian == "big" ? ByteOrder::big : endian == "little" ? ByteOrder::little : native;
   const double skip = header.number("byteskip", 0.0);
-  if (skip < 0.0 && !zipped) {  // -1: the data are the end of the file
+  if (skip < 0.0 && !zipped) {  // -1: the data are the last bytes of the file
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(data, error);
     begin = error ? 0 : size - std::min<std::uintmax_t>(size, nodes * bytes_of(*type));
@@ -155,8 +151,9 @@ void read_data(const NrrdHeader& header, const std::filesystem::path& data, std:
   ByteReader reader(data, zipped ? Encoding::deflated : Encoding::plain, begin);
   skip_lines(reader, header.number("lineskip", 0.0));
   if (skip > 0.0) reader.skip(static_cast<std::uintmax_t>(std::min(std::ceil(skip), 1e15)));
+  volume.samples = Samples(*type);
   if (text) return read_text_samples(reader, nodes, volume.samples);
-  read_samples(reader, nodes, *type, order, volume.samples);
+  read_samples(reader, nodes, order, volume.samples);
 }
 
 }  // namespace

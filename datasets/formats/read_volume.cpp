@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 
 namespace isobench {
 
@@ -28,14 +27,13 @@ constexpr Format formats[] = {{".nrrd", read_nrrd},     {".nhdr", read_nrrd},   
                               {".vti", read_vti},       {".inr", read_inrimage}, {".inr.gz", read_inrimage}};
 
 Reader reader_for(const std::filesystem::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string name = lower_case(path.filename().string());
   std::string known;
   for (const Format& format : formats) {
     if (name.ends_with(format.ending)) return format.reader;
     known += std::string(known.empty() ? "" : ", ") + format.ending;
   }
-  throw DataError(fmt::format("{}: not a volume format by its ending; readable are {}", path.string(), known));
+  throw DataError(fmt::format("{}: its ending is not that of a volume format; readable are {}", path.string(), known));
 }
 
 }  // namespace
@@ -54,7 +52,7 @@ Volume read_volume(const std::filesystem::path& path) {
     throw DataError(path.string() + ": its volume does not fit into memory; crop or subsample it first");
   }
   try {
-    sample_range(volume);
+    check_finite(volume);
   } catch (const DataError& not_finite) {
     throw DataError(fmt::format("{}: {}", path.string(), not_finite.what()));
   }
@@ -68,10 +66,11 @@ Lattice make_lattice(const std::filesystem::path& path, const std::array<long lo
   long long nodes = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    // 2^40 nodes would be 4 TiB of samples: beyond that a header is damaged, not a volume large.
+    // 2^40 samples take at least 1 TiB: a header that states more is damaged.
     if (size[a] < 1 || size[a] > std::numeric_limits<int>::max() || nodes > (1LL << 40) / size[a]) {
-      throw DataError(fmt::format("{}: its size {} × {} × {} is not that of a 3-D volume; the header is damaged",
-                                  path.string(), size[0], size[1], size[2]));
+      throw DataError(fmt::format(
+          "{}: its size {} × {} × {} is not that of a 3-D volume; the header is damaged, copy or export it again",
+          path.string(), size[0], size[1], size[2]));
     }
     nodes *= size[a];
     lattice.size[a] = static_cast<int>(size[a]);
@@ -83,7 +82,7 @@ Lattice make_lattice(const std::filesystem::path& path, const std::array<long lo
     lattice.spacing[axis] = spacing[axis];
     lattice.direction.col(axis) = direction.col(axis) / length;
   }
-  // Lengths are measured along perpendicular axes everywhere; 1e-3 (0.06°) leaves room for rounded headers.
+  // The rest of the program measures lengths along perpendicular axes. 1e-3 (0.06°) allows for rounding in headers.
   const Eigen::Matrix3d product = lattice.direction.transpose() * lattice.direction;
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3)) {
     throw DataError(path.string() + ": its axes are not perpendicular; resample it to a rectangular lattice first");
@@ -107,7 +106,7 @@ std::vector<double> numbers_in(const std::string& text, std::size_t count, const
     numbers.push_back(number);
   }
   if (numbers.size() != count || !trimmed(next).empty()) {
-    throw DataError(fmt::format("{}: '{}' reads '{}' where {} number{} {} expected; correct its header", path.string(),
+    throw DataError(fmt::format("{}: '{}' is '{}', but {} number{} {} expected; correct its header", path.string(),
                                 what, text.substr(0, 60), count, count == 1 ? "" : "s", count == 1 ? "is" : "are"));
   }
   return numbers;
@@ -119,13 +118,7 @@ double unit_in_mm(const std::string& unit, const std::filesystem::path& path) {
   if (unit == "m") return 1000.0;
   if (unit == "um" || unit == "µm" || unit == "microns") return 1e-3;
   throw DataError(
-      fmt::format("{}: its unit of length '{}' is not known; known are mm, cm, m, um", path.string(), unit));
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+      fmt::format("{}: its unit of length '{}' is not known; export it with mm, cm, m or um", path.string(), unit));
 }
 
 }  // namespace isobench

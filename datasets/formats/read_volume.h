@@ -10,24 +10,25 @@
 namespace isobench {
 
 /// Reads NRRD (.nrrd, .nhdr), MetaImage (.mhd, .mha), NIfTI (.nii, .nii.gz), VTI (.vti) or INRIMAGE-4 (.inr, .inr.gz)
-/// by the path's ending, with spacing, origin and direction, scaled by the file's own slope and intercept, as float.
-/// Throws DataError, naming the file, for one that is missing, empty, truncated, of another format or not a 3-D scalar
-/// volume, or whose samples are not finite.
+/// by the path's ending, with spacing, origin and direction in mm. Samples keep the type that they have in the file;
+/// only NIfTI's slope and intercept turn them into RealOf their type. Memory: one array of samples, and for VTI the
+/// whole file. Throws DataError naming the file if it is missing, empty, truncated, of another format or not a 3-D
+/// scalar volume, or if a sample is not finite.
 Volume read_volume(const std::filesystem::path& path);
 
-enum class SampleType { u8, i8, u16, i16, u32, i32, f32, f64, i64, u64 };
 enum class ByteOrder { little, big };
 
-/// What a file without a header does not say of itself.
+/// How to read a file without a header.
 struct RawLayout {
-  std::array<int, 3> size{};                          ///< of the whole volume
+  std::array<int, 3> size{};                          ///< nodes of the whole volume along i, j, k
   Eigen::Vector3d spacing = Eigen::Vector3d::Ones();  ///< mm
   SampleType type = SampleType::u8;
   ByteOrder order = ByteOrder::little;
 };
 
-/// Raw samples from one file or from one file a slice, in order of k; together they must have exactly the declared
-/// size.
+/// Reads raw samples from one file, or from several of equal size in order of k, for example one a slice. Throws
+/// DataError naming the file if it cannot be read, if it does not have exactly the bytes that the layout makes, or if a
+/// sample is not finite.
 Volume read_raw(const std::vector<std::filesystem::path>& files, const RawLayout& layout);
 
 }  // namespace isobench

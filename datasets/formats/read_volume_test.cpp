@@ -1,4 +1,4 @@
-// Every format keeps samples and nodes in their places; samples as VTK's readers give them.
+// Every reader puts samples and nodes in their places, and gives the same samples as VTK's readers.
 #include "isobench/datasets/formats/read_volume.h"
 
 #include <gtest/gtest.h>
@@ -10,16 +10,18 @@
 #include <vtkPointData.h>
 
 #include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {
 
-/// In the order of the file, whether or not VTK takes the first axis for components.
+/// Compares samples in the order of the file, also if VTK reads the first axis as the components of vectors.
 void expect_samples_of(vtkDataArray* array, const Volume& volume) {
   ASSERT_EQ(array->GetNumberOfValues(), static_cast<vtkIdType>(volume.samples.size()));
+  const std::vector<float> samples = floats_of(volume);
   const int components = array->GetNumberOfComponents();
   for (int n = 0; n < array->GetNumberOfValues(); ++n) {
-    EXPECT_EQ(volume.samples[static_cast<std::size_t>(n)], array->GetComponent(n / components, n % components));
+    EXPECT_EQ(samples[static_cast<std::size_t>(n)], array->GetComponent(n / components, n % components));
   }
 }
 
@@ -55,7 +57,7 @@ TEST(ReadNrrd, ObeysByteOrderSpacingsAndUnits) {
                                                          "{}\nspacings: 0.5 1.25 3\nendian: big\nencoding: raw\n\n",
                                                          nx, ny, nz) +
                                                  bytes_of_samples<std::uint16_t>(samples(), true)));
-  EXPECT_EQ(volume.samples, samples());
+  EXPECT_EQ(floats_of(volume), samples());
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-12);
   EXPECT_EQ(volume.lattice.space, "");
   std::string header = nrrd_header("uchar", "ascii");
@@ -124,7 +126,8 @@ TEST(ReadNifti, ALeftHandedQformKeepsEachSampleAtItsPlace) {
   NiftiHeader header;
   header.put_qform(oblique(), origin);
   header.put<float>(76, -1.0F);
-  const Volume volume = read_volume(folder.write("left.nii", header.bytes() + bytes_of_samples<float>(samples())));
+  const FloatVolume volume =
+      as_float(read_volume(folder.write("left.nii", header.bytes() + bytes_of_samples<float>(samples()))));
   const Eigen::Matrix3d left = oblique() * Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal();
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
@@ -147,13 +150,13 @@ TEST(ReadNifti, AppliesSlopeAndInterceptOnceAndUnits) {
   header.put<float>(112, 0.25F);
   header.put<float>(116, -3.0F);
   const std::string data = bytes_of_samples<std::uint8_t>(samples());
-  const Volume volume = read_volume(folder.write("scaled.nii", header.bytes() + data));
+  const FloatVolume volume = as_float(read_volume(folder.write("scaled.nii", header.bytes() + data)));
   for (std::size_t n = 0; n < volume.samples.size(); ++n) EXPECT_EQ(volume.samples[n], 0.25F * samples()[n] - 3.0F);
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-6);
   header.put<float>(112, 0.0F);  // no scaling at all, whatever the intercept says
   header.put<std::uint8_t>(123, 3);
   const Volume plain = read_volume(folder.write("plain.nii", header.bytes() + data));
-  EXPECT_EQ(plain.samples, samples());
+  EXPECT_EQ(floats_of(plain), samples());
   EXPECT_LT((plain.lattice.spacing - 1e-3 * spacing).norm(), 1e-9);
 }
 
@@ -166,15 +169,15 @@ TEST(ReadInrimage, ReadsTypesAndByteOrdersWithSpacing) {
   const TestFolder folder;
   const Volume volume = read_volume(folder.write(
       "f.inr", inrimage(inrimage_fields("TYPE=float\nPIXSIZE=32 bits", "decm"), bytes_of_samples<float>(samples()))));
-  EXPECT_EQ(volume.samples, samples());
+  EXPECT_EQ(floats_of(volume), samples());
   EXPECT_EQ(volume.lattice.size, (std::array<int, 3>{nx, ny, nz}));
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-12);
   const std::string big = inrimage(inrimage_fields("TYPE=unsigned fixed\nPIXSIZE=16 bits", "sun"),
                                    bytes_of_samples<std::uint16_t>(samples(), true));
-  EXPECT_EQ(read_volume(folder.write("u.inr.gz", deflated(big, true))).samples, samples());
+  EXPECT_EQ(floats_of(read_volume(folder.write("u.inr.gz", deflated(big, true)))), samples());
   const std::string bytes =
       inrimage(inrimage_fields("TYPE=unsigned fixed\nPIXSIZE=8 bits", "pc"), bytes_of_samples<std::uint8_t>(samples()));
-  EXPECT_EQ(read_volume(folder.write("b.inr", bytes)).samples, samples());
+  EXPECT_EQ(floats_of(read_volume(folder.write("b.inr", bytes))), samples());
 }
 
 TEST(ReadRaw, OneFileOrOneASliceInBothByteOrders) {
@@ -182,13 +185,13 @@ TEST(ReadRaw, OneFileOrOneASliceInBothByteOrders) {
   RawLayout layout{{nx, ny, nz}, spacing, SampleType::i16, ByteOrder::big};
   const std::string bytes = bytes_of_samples<std::int16_t>(samples(), true);
   const Volume one = read_raw({folder.write("all.raw", bytes)}, layout);
-  EXPECT_EQ(one.samples, samples());
+  EXPECT_EQ(floats_of(one), samples());
   EXPECT_EQ(one.lattice.spacing, spacing);
   std::vector<std::filesystem::path> slices;
   const std::size_t slice = bytes.size() / nz;
   for (std::size_t k = 0; k < nz; ++k)
     slices.push_back(folder.write(fmt::format("slice.{}", k), bytes.substr(k * slice, slice)));
-  EXPECT_EQ(read_raw(slices, layout).samples, samples());
+  EXPECT_EQ(floats_of(read_raw(slices, layout)), samples());
   layout.size[2] = nz + 1;
   EXPECT_THROW(read_raw({folder.path() / "all.raw"}, layout), DataError);
   EXPECT_THROW(read_raw({folder.path() / "missing.raw"}, layout), DataError);

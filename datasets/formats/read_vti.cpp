@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/vtk_xml.h"
@@ -22,7 +24,7 @@ Extent extent_of(const std::string& text, const std::filesystem::path& path) {
   for (std::size_t n = 0; n < 6; ++n) {
     if (!(std::abs(numbers[n]) <= std::numeric_limits<int>::max()) || numbers[n] != std::floor(numbers[n])) {
       throw DataError(
-          fmt::format("{}: its extent '{}' is not one of nodes; the header is damaged", path.string(), text));
+          fmt::format("{}: its extent '{}' is not six numbers of nodes; copy or export it again", path.string(), text));
     }
     extent[n] = static_cast<long long>(numbers[n]);
   }
@@ -46,7 +48,7 @@ Lattice lattice_of(const VtkElement& image, const Extent& extent, const std::fil
   return make_lattice(path, size_of(extent), steps, direction, Eigen::Vector3d(origin.data()) + direction * first, "");
 }
 
-/// The array that is marked as the scalars, or the first.
+/// The array that the file names as its scalars; without such a name, the first array.
 const VtkElement& scalars_of(const VtkElement& piece, const VtkXmlFile& file) {
   const VtkElement* data = piece.child("PointData");
   const VtkElement* found = nullptr;
@@ -61,29 +63,48 @@ const VtkElement& scalars_of(const VtkElement& piece, const VtkXmlFile& file) {
     }
   }
   if (found == nullptr) file.fail("it has no samples at its nodes; give a volume with point data");
-  if (found->attribute("NumberOfComponents", "1") != "1") file.fail("it has vectors for samples; give a scalar volume");
+  if (found->attribute("NumberOfComponents", "1") != "1") file.fail("its samples are vectors; give a scalar volume");
   return *found;
 }
 
-/// Puts a piece's samples where they belong; `whole` is the extent of all.
-void place(const std::vector<float>& samples, const Extent& extent, const Extent& whole, Volume& volume) {
-  const auto size = size_of(extent);
-  auto from = samples.begin();
-  for (long long k = 0; k < size[2]; ++k) {
-    for (long long j = 0; j < size[1]; ++j) {
-      const std::size_t row =
-          volume.lattice.index(static_cast<int>(extent[0] - whole[0]), static_cast<int>(extent[2] - whole[2] + j),
-                               static_cast<int>(extent[4] - whole[4] + k));
-      std::copy_n(from, size[0], volume.samples.begin() + static_cast<std::ptrdiff_t>(row));
-      from += size[0];
+/// Samples of one type at a part of the nodes.
+struct Piece {
+  Extent extent;
+  Samples samples;
+};
+
+/// Puts the pieces together; neighbouring pieces share nodes. `whole` is the extent of all.
+Samples assemble(std::vector<Piece>& pieces, const Extent& whole, const Lattice& lattice, const VtkXmlFile& file) {
+  Samples result(pieces.front().samples.type());
+  std::vector<bool> known(lattice.nodes(), false);
+  result.visit([&](auto& samples) {
+    samples.resize(lattice.nodes());
+    for (const Piece& piece : pieces) {
+      const Extent& extent = piece.extent;
+      const auto size = size_of(extent);
+      auto from = piece.samples.template as<SampleOf<decltype(samples)>>().begin();
+      for (long long k = 0; k < size[2]; ++k) {
+        for (long long j = 0; j < size[1]; ++j) {
+          const auto row = static_cast<std::ptrdiff_t>(lattice.index(static_cast<int>(extent[0] - whole[0]),
+                                                                     static_cast<int>(extent[2] - whole[2] + j),
+                                                                     static_cast<int>(extent[4] - whole[4] + k)));
+          std::copy_n(from, size[0], samples.begin() + row);
+          std::fill_n(known.begin() + row, size[0], true);
+          from += size[0];
+        }
+      }
     }
+  });
+  if (std::find(known.begin(), known.end(), false) != known.end()) {
+    file.fail("truncated: pieces of it are missing; copy or export it again");
   }
+  return result;
 }
 
 void check_extent(const Extent& extent, const Extent& whole, const VtkXmlFile& file) {
   for (std::size_t n = 0; n < 6; n += 2) {
     if (extent[n] < whole[n] || extent[n + 1] > whole[n + 1] || extent[n] > extent[n + 1]) {
-      file.fail("a piece of it lies outside its whole extent; the header is damaged");
+      file.fail("a piece of it lies outside its whole extent; copy or export it again");
     }
   }
 }
@@ -95,25 +116,23 @@ Volume read_vti(const std::filesystem::path& path) {
   const Extent whole = extent_of(file.data().attribute("WholeExtent"), path);
   Volume volume;
   volume.lattice = lattice_of(file.data(), whole, path);
-  std::vector<std::pair<Extent, std::vector<float>>> pieces;
-  std::size_t nodes = 0;  // neighbouring pieces share theirs
+  std::vector<Piece> pieces;
+  std::size_t nodes = 0;
   for (const VtkElement& piece : file.data().children) {
     if (piece.name != "Piece") continue;
     const Extent extent = extent_of(piece.attribute("Extent"), path);
     check_extent(extent, whole, file);
     const auto size = size_of(extent);
     const auto count = static_cast<std::size_t>(size[0] * size[1] * size[2]);
-    pieces.emplace_back(extent, file.numbers<float>(scalars_of(piece, file), count));
+    pieces.push_back({extent, file.samples(scalars_of(piece, file), count)});
+    if (pieces.back().samples.type() != pieces.front().samples.type()) {
+      file.fail("its pieces have samples of different types; export it as one piece");
+    }
     nodes += count;
   }
   if (nodes < volume.lattice.nodes()) file.fail("truncated: pieces of it are missing; copy or export it again");
-  if (pieces.size() == 1) {
-    volume.samples = std::move(pieces.front().second);
-    return volume;
-  }
-  // A node that no piece has is reported as not finite.
-  volume.samples.assign(volume.lattice.nodes(), std::numeric_limits<float>::quiet_NaN());
-  for (const auto& [extent, samples] : pieces) place(samples, extent, whole, volume);
+  volume.samples =
+      pieces.size() == 1 ? std::move(pieces.front().samples) : assemble(pieces, whole, volume.lattice, file);
   return volume;
 }
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include "isobench/foundation/error.h"
@@ -14,45 +17,64 @@ namespace isobench {
 
 namespace {
 
-constexpr std::size_t conversion_bytes = std::size_t{1} << 20U;
+constexpr std::size_t chunk_bytes = std::size_t{1} << 20U;
 
-template <typename Sample, typename Number>
-void convert(const char* bytes, std::size_t count, bool swap, Number* numbers) {
-  for (std::size_t n = 0; n < count; ++n) {
-    std::array<char, sizeof(Sample)> raw{};
-    std::memcpy(raw.data(), bytes + n * sizeof(Sample), sizeof(Sample));
-    if (swap) std::reverse(raw.begin(), raw.end());
-    numbers[n] = static_cast<Number>(std::bit_cast<Sample>(raw));
-  }
-}
+bool is_foreign(ByteOrder order) { return (order == ByteOrder::big) != (std::endian::native == std::endian::big); }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n'; }
 
-/// Numbers between blanks or commas, read in blocks: a text need not have lines.
-class TextNumbers {
- public:
-  explicit TextNumbers(ByteReader& reader) : reader_(reader), block_(std::size_t{1} << 16U) {}
+constexpr std::size_t longest_number = 400;  // characters; printf's %f of the largest double takes 317
 
-  /// std::nullopt where the text ends.
-  std::optional<float> next() {
+/// Turns samples from number `first` on, which were read as they stand in the file, into this machine's byte order.
+template <class T>
+void to_native_order(std::vector<T>& samples, std::size_t first, ByteOrder order) {
+  if (sizeof(T) == 1 || !is_foreign(order)) return;
+  for (std::size_t n = first; n < samples.size(); ++n) {
+    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(samples[n]);
+    std::reverse(raw.begin(), raw.end());
+    samples[n] = std::bit_cast<T>(raw);
+  }
+}
+
+/// The number that a word is; std::nullopt for other words. A floating-point number too large for its type is infinite
+/// and is refused with the place of its node, later; one too small is 0.
+template <class T>
+std::optional<T> number_of_word(std::string_view word) {
+  if (word.size() > longest_number) return std::nullopt;
+  T value{};
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc() && rest == word.data() + word.size()) return value;
+  if constexpr (std::is_integral_v<T>) {
+    const std::optional<double> real = number_of_word<double>(word);
+    const auto least = static_cast<double>(std::numeric_limits<T>::min());
+    const double beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);  // one more than the largest T
+    if (real && *real == std::floor(*real) && *real >= least && *real < beyond) return static_cast<T>(*real);
+  } else if (error == std::errc::result_out_of_range && rest == word.data() + word.size()) {
+    return static_cast<T>(std::strtod(std::string(word).c_str(), nullptr));
+  }
+  return std::nullopt;
+}
+
+/// Words between blanks or commas. They are read in blocks, because a text need not have lines.
+class Words {
+ public:
+  explicit Words(ByteReader& reader) : reader_(reader), block_(std::size_t{1} << 16U) {}
+
+  /// std::nullopt at the end of the text.
+  std::optional<std::string_view> next() {
     char c = ' ';
     while (is_blank(c)) {
       if (!take(c)) return std::nullopt;
     }
-    std::string word;
+    word_.clear();
     do {
-      word.push_back(c);
-      if (word.size() > longest) fail(word);
+      word_.push_back(c);
+      if (word_.size() > longest_number) return word_;
     } while (take(c) && !is_blank(c));
-    float value = 0.0F;
-    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || rest != word.data() + word.size()) fail(word);
-    return value;
+    return word_;
   }
 
  private:
-  static constexpr std::size_t longest = 400;  // printf's %f of the largest double takes 317
-
   bool take(char& c) {
     if (begin_ == end_) {
       begin_ = 0;
@@ -62,72 +84,107 @@ class TextNumbers {
     c = block_[begin_++];
     return true;
   }
-  [[noreturn]] void fail(const std::string& word) const {
-    throw DataError(fmt::format("{}: '{}' among its samples is not a number; export it again", reader_.path().string(),
-                                word.substr(0, 20)));
-  }
 
   ByteReader& reader_;
   std::vector<char> block_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
+  std::string word_;
 };
 
 [[noreturn]] void throw_truncated(const std::filesystem::path& path, std::size_t found, std::size_t expected) {
   throw DataError(fmt::format(
-      "{}: truncated: its header promises {} samples but data for at most {} follow; copy or export it again",
+      "{}: truncated: its header states {} samples, but data for at most {} follow; copy or export it again",
       path.string(), expected, found));
+}
+
+template <class T>
+void read_binary(ByteReader& reader, std::size_t count, ByteOrder order, std::vector<T>& samples) {
+  const std::size_t possible = reader.possible_bytes() / sizeof(T);
+  if (possible < count) throw_truncated(reader.path(), possible, count);
+  // Reserving only takes addresses, no memory yet: a compressed file may promise a thousand times what it holds.
+  samples.reserve(samples.size() + count);
+  for (std::size_t done = 0; done < count;) {
+    const std::size_t part = std::min(count - done, chunk_bytes / sizeof(T));
+    const std::size_t first = samples.size();
+    samples.resize(first + part);
+    const std::size_t got = reader.read(reinterpret_cast<char*>(samples.data() + first), part * sizeof(T)) / sizeof(T);
+    if (got < part) throw_truncated(reader.path(), done + got, count);
+    to_native_order(samples, first, order);
+    done += part;
+  }
+  reader.finish();
+}
+
+template <class T>
+SampleType type_of_samples() {
+  return Samples(std::vector<T>()).type();
+}
+
+template <class T>
+void read_text(ByteReader& reader, std::size_t count, std::vector<T>& samples) {
+  const std::size_t possible = reader.possible_bytes() / 2 + 1;  // a digit and a blank each
+  if (possible < count) throw_truncated(reader.path(), possible, count);
+  samples.reserve(samples.size() + count);
+  Words words(reader);
+  for (std::size_t done = 0; done < count; ++done) {
+    const std::optional<std::string_view> word = words.next();
+    if (!word) throw_truncated(reader.path(), done, count);
+    const std::optional<T> value = number_of_word<T>(*word);
+    if (!value) {
+      throw DataError(fmt::format("{}: '{}' among its samples is not a number of type {}; export it again",
+                                  reader.path().string(), word->substr(0, 20), to_string(type_of_samples<T>())));
+    }
+    samples.push_back(*value);
+  }
+  reader.finish();
 }
 
 }  // namespace
 
-template <class Number>
-void convert_samples(const char* bytes, std::size_t count, SampleType type, ByteOrder order, Number* numbers) {
-  const bool swap = (order == ByteOrder::big) != (std::endian::native == std::endian::big);
-  switch (type) {
-    case SampleType::u8:
-      return convert<std::uint8_t>(bytes, count, swap, numbers);
-    case SampleType::i8:
-      return convert<std::int8_t>(bytes, count, swap, numbers);
-    case SampleType::u16:
-      return convert<std::uint16_t>(bytes, count, swap, numbers);
-    case SampleType::i16:
-      return convert<std::int16_t>(bytes, count, swap, numbers);
-    case SampleType::u32:
-      return convert<std::uint32_t>(bytes, count, swap, numbers);
-    case SampleType::i32:
-      return convert<std::int32_t>(bytes, count, swap, numbers);
-    case SampleType::f32:
-      return convert<float>(bytes, count, swap, numbers);
-    case SampleType::f64:
-      return convert<double>(bytes, count, swap, numbers);
-    case SampleType::i64:
-      return convert<std::int64_t>(bytes, count, swap, numbers);
-    case SampleType::u64:
-      return convert<std::uint64_t>(bytes, count, swap, numbers);
-  }
+void convert_samples(const char* bytes, std::size_t count, SampleType type, ByteOrder order, double* numbers) {
+  Samples(type).visit([&](const auto& none) {
+    using T = SampleOf<decltype(none)>;
+    for (std::size_t n = 0; n < count; ++n) {
+      std::array<char, sizeof(T)> raw{};
+      std::memcpy(raw.data(), bytes + n * sizeof(T), sizeof(T));
+      if (is_foreign(order)) std::reverse(raw.begin(), raw.end());
+      numbers[n] = static_cast<double>(std::bit_cast<T>(raw));
+    }
+  });
 }
-template void convert_samples(const char*, std::size_t, SampleType, ByteOrder, float*);
-template void convert_samples(const char*, std::size_t, SampleType, ByteOrder, double*);
 
-std::size_t bytes_of(SampleType type) {
-  switch (type) {
-    case SampleType::u8:
-    case SampleType::i8:
-      return 1;
-    case SampleType::u16:
-    case SampleType::i16:
-      return 2;
-    case SampleType::u32:
-    case SampleType::i32:
-    case SampleType::f32:
-      return 4;
-    case SampleType::f64:
-    case SampleType::i64:
-    case SampleType::u64:
-      return 8;
-  }
-  return 1;
+Samples samples_of_bytes(const char* bytes, std::size_t count, SampleType type, ByteOrder order) {
+  Samples samples(type);
+  samples.visit([&](auto& values) {
+    values.resize(count);
+    std::memcpy(values.data(), bytes, count * bytes_of(type));
+    to_native_order(values, 0, order);
+  });
+  return samples;
+}
+
+std::optional<Samples> samples_of_text(std::string_view text, std::size_t count, SampleType type) {
+  if (text.size() / 2 + 1 < count) return {};  // a digit and a blank each
+  Samples samples(type);
+  const bool complete = samples.visit([&](auto& values) {
+    using T = SampleOf<decltype(values)>;
+    values.reserve(count);
+    for (std::size_t at = 0; at < text.size();) {
+      if (is_blank(text[at])) {
+        ++at;
+        continue;
+      }
+      std::size_t end = at;
+      while (end < text.size() && !is_blank(text[end])) ++end;
+      const std::optional<T> value = number_of_word<T>(text.substr(at, end - at));
+      if (!value || values.size() == count) return false;
+      values.push_back(*value);
+      at = end;
+    }
+    return values.size() == count;
+  });
+  return complete ? std::optional(std::move(samples)) : std::nullopt;
 }
 
 std::optional<SampleType> sample_type(const std::string& name) {
@@ -193,36 +250,12 @@ std::optional<SampleType> sample_type(const std::string& name) {
   return found == names.end() ? std::nullopt : std::optional(found->second);
 }
 
-void read_samples(ByteReader& reader, std::size_t count, SampleType type, ByteOrder order,
-                  std::vector<float>& samples) {
-  const std::size_t bytes = bytes_of(type);
-  const std::size_t possible = reader.possible_bytes() / bytes;
-  if (possible < count) throw_truncated(reader.path(), possible, count);
-  // Reserving takes no memory yet: a compressed file may promise a thousand times what it holds.
-  samples.reserve(samples.size() + count);
-  std::vector<char> chunk(std::min(count * bytes, conversion_bytes));
-  for (std::size_t done = 0; done < count;) {
-    const std::size_t part = std::min(count - done, chunk.size() / bytes);
-    const std::size_t got = reader.read(chunk.data(), part * bytes) / bytes;
-    if (got < part) throw_truncated(reader.path(), done + got, count);
-    samples.resize(samples.size() + part);
-    convert_samples(chunk.data(), part, type, order, samples.data() + samples.size() - part);
-    done += part;
-  }
-  reader.finish();
+void read_samples(ByteReader& reader, std::size_t count, ByteOrder order, Samples& samples) {
+  samples.visit([&](auto& values) { read_binary(reader, count, order, values); });
 }
 
-void read_text_samples(ByteReader& reader, std::size_t count, std::vector<float>& samples) {
-  const std::size_t possible = reader.possible_bytes() / 2 + 1;  // a digit and a blank each
-  if (possible < count) throw_truncated(reader.path(), possible, count);
-  samples.reserve(samples.size() + count);
-  TextNumbers numbers(reader);
-  for (std::size_t done = 0; done < count; ++done) {
-    const std::optional<float> value = numbers.next();
-    if (!value) throw_truncated(reader.path(), done, count);
-    samples.push_back(*value);
-  }
-  reader.finish();
+void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples) {
+  samples.visit([&](auto& values) { read_text(reader, count, values); });
 }
 
 }  // namespace isobench

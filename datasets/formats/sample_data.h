@@ -1,5 +1,5 @@
-// Samples as files hold them: plain or deflated bytes of a stated type and byte order, converted to float while they
-// are read, so that no second copy of a volume is ever in memory.
+// Samples as files hold them: plain or compressed bytes of a stated type and byte order. They are read straight into
+// the volume's array, so that no second copy of a volume is ever in memory.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isobench/datasets/formats/read_volume.h"
@@ -15,11 +16,11 @@ namespace isobench {
 
 enum class Encoding {
   plain,
-  deflated,  ///< a gzip or zlib stream, told apart by its header
+  deflated,  ///< a gzip or a zlib stream; its header tells which
 };
 
-/// Reads a file's bytes in order, inflating them where asked. Throws DataError, naming the file, if it cannot be opened
-/// or its compressed data are damaged.
+/// Reads a file's bytes in order and inflates them if they are compressed. Throws DataError naming the file if it
+/// cannot be opened or its compressed data are damaged.
 class ByteReader {
  public:
   ByteReader(std::filesystem::path path, Encoding encoding, std::uintmax_t offset = 0);
@@ -27,18 +28,19 @@ class ByteReader {
   ByteReader(const ByteReader&) = delete;
   ByteReader& operator=(const ByteReader&) = delete;
 
-  /// Up to `count` bytes; fewer only where the data end.
+  /// Reads up to `count` bytes, fewer only at the end of the data. Returns their number.
   std::size_t read(char* bytes, std::size_t count);
-  /// One line without its end ("\n" or "\r\n"), at most `limit` bytes; false where the data end.
+  /// Reads one line, of at most `limit` bytes, without its end ("\n" or "\r\n"). Returns false at the end of the data.
   bool read_line(std::string& line, std::size_t limit = 65536);
-  /// Passes over up to `count` bytes; says how many there were.
+  /// Skips up to `count` bytes. Returns how many there were.
   std::uintmax_t skip(std::uintmax_t count);
-  /// Of a compressed stream: reads on to its end. Throws DataError if it stops before its own end mark, its checksum
-  /// does not match, or it goes on for more than a mebibyte (a few kilobytes inflate to gigabytes of zeros).
+  /// Reads a compressed stream to its end. Throws DataError if the stream stops before its end mark, if its checksum
+  /// does not match, or if more than a mebibyte follows (a few kilobytes can inflate to gigabytes of zeros).
+  /// Does nothing for a plain file.
   void finish();
-  /// The most bytes that can still follow: deflate shrinks by a factor of at most 1032.
+  /// The most bytes that can still follow: deflate compresses by a factor of at most 1032.
   std::uintmax_t possible_bytes() const;
-  /// How many bytes of the file itself, from its beginning, were handed out; for plain files only.
+  /// How many bytes from the file's beginning the caller has read. Precondition: a plain file.
   std::uintmax_t consumed() const;
   Encoding encoding() const;
   const std::filesystem::path& path() const { return path_; }
@@ -49,21 +51,26 @@ class ByteReader {
   std::unique_ptr<State> state_;
 };
 
-std::size_t bytes_of(SampleType type);
+/// Converts `count` samples from a file's bytes to double; 64-bit integers beyond 2^53 are rounded.
+void convert_samples(const char* bytes, std::size_t count, SampleType type, ByteOrder order, double* numbers);
 
-/// `count` numbers, for float and double, out of bytes that hold as many of the type.
-template <class Number>
-void convert_samples(const char* bytes, std::size_t count, SampleType type, ByteOrder order, Number* numbers);
+/// The samples that `count` · bytes_of(type) bytes of a file hold.
+Samples samples_of_bytes(const char* bytes, std::size_t count, SampleType type, ByteOrder order);
 
-/// "unsigned short", "u16", "uint16" and the like; std::nullopt for a name that is none of them.
+/// The samples that a text of exactly `count` numbers holds; std::nullopt if it is not one. An integer may be written
+/// as 3, 3.0 or 3e0, and must be within the range of its type.
+std::optional<Samples> samples_of_text(std::string_view text, std::size_t count, SampleType type);
+
+/// The type that a file's header names: "unsigned short", "u16", "uint16", "MET_USHORT" and the like; std::nullopt for
+/// other names.
 std::optional<SampleType> sample_type(const std::string& name);
 
-/// Appends `count` samples to `samples` and makes sure that a compressed stream ends whole. Throws DataError if the
-/// file holds fewer; what it can hold is checked before anything is allocated, and memory is taken as samples arrive,
-/// so a hostile size costs nothing.
-void read_samples(ByteReader& reader, std::size_t count, SampleType type, ByteOrder order, std::vector<float>& samples);
+/// Appends `count` samples of the type of `samples`, and checks that a compressed stream is complete. Throws DataError
+/// if the file holds fewer samples. It compares `count` with the file's size before it takes memory, and takes memory
+/// as samples arrive, so that a wrong size in a header costs nothing.
+void read_samples(ByteReader& reader, std::size_t count, ByteOrder order, Samples& samples);
 
-/// `count` numbers written as text.
-void read_text_samples(ByteReader& reader, std::size_t count, std::vector<float>& samples);
+/// The same for numbers written as text. Throws DataError, too, for a word that is not a number of the samples' type.
+void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples);
 
 }  // namespace isobench

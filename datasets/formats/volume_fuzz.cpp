@@ -1,4 +1,4 @@
-// The readers of volumes, by file as they are called.
+// Fuzz targets for the readers of volumes. Each writes the bytes to a file and reads it.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace isobench {
 
 namespace {
 
-/// What every volume that was read fulfils; above all, nothing comes out that was not in the file.
+/// What must hold for every volume that was read. In particular, it has no more samples than the file can hold.
 void check_volume(const Volume& volume, std::size_t file_bytes) {
   const Lattice& lattice = volume.lattice;
   require(*std::min_element(lattice.size.begin(), lattice.size.end()) >= 1, "a volume has nodes");
@@ -18,7 +18,7 @@ void check_volume(const Volume& volume, std::size_t file_bytes) {
   require(volume.samples.size() <= 1032 * file_bytes, "a file has no more samples than bytes, but for compression");
   require((lattice.spacing.array() > 0.0).all() && lattice.spacing.allFinite(), "spacings are positive");
   require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
-  sample_range(volume);  // throws where a sample is not finite
+  check_finite(volume);  // throws if not
 }
 
 bool read(const std::string& name, std::string_view bytes) {
@@ -30,7 +30,7 @@ bool read(const std::string& name, std::string_view bytes) {
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-/// Data for the headers that name a file of their own beside them.
+/// Writes the data files that headers in the corpus name.
 void write_data_files() {
   static const bool once = [] {
     fuzz_file("data.raw", std::string(64, '\x07'));
@@ -60,17 +60,18 @@ bool fuzz_nifti(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.n
 
 bool fuzz_vti(std::string_view bytes) { return read("volume.vti", bytes); }
 
-/// Size, type, byte order and the number of files stand in front: one byte each, but two for each size.
+/// The input begins with the layout: two bytes for each of the three sizes, and one each for the type, the byte order
+/// and the number of files.
 bool fuzz_raw(std::string_view bytes) {
   constexpr std::size_t header = 9;
   if (bytes.size() < header) return false;
   const auto at = [&](std::size_t n) { return static_cast<int>(static_cast<unsigned char>(bytes[n])); };
   RawLayout layout;
-  // The upper byte goes into the upper bits: small sizes, hostile ones and negative ones are all near.
+  // The second byte sets the upper bits, so that small, very large and negative sizes are all within reach.
   for (std::size_t axis = 0; axis < 3; ++axis) {
     layout.size[axis] = at(2 * axis) | static_cast<int>(static_cast<unsigned>(at(2 * axis + 1)) << 24U);
   }
-  layout.type = static_cast<SampleType>(at(6) % 8);
+  layout.type = static_cast<SampleType>(at(6) % 10);
   layout.order = at(7) % 2 == 0 ? ByteOrder::little : ByteOrder::big;
   const int count = at(8) % 4;
   const std::string_view data = bytes.substr(header);

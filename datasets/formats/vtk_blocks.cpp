@@ -15,7 +15,7 @@ namespace isobench {
 
 namespace {
 
-/// 0..63; -1 for what is no digit of base64.
+/// 0 to 63; -1 for a character that is not a digit of base64.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -23,10 +23,10 @@ int base64_digit(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// The length of `bytes` bytes in the source.
+/// The length that `bytes` bytes have in the source.
 std::size_t encoded_size(std::size_t bytes, bool base64) { return base64 ? (bytes + 2) / 3 * 4 : bytes; }
 
-/// The first bytes of a source.
+/// The first `bytes` bytes of a source; std::nullopt if it does not hold them.
 std::optional<std::string> take(std::string_view source, std::size_t bytes, bool base64) {
   if (bytes > source.size() || encoded_size(bytes, base64) > source.size()) return {};
   if (!base64) return std::string(source.substr(0, bytes));
@@ -36,7 +36,7 @@ std::optional<std::string> take(std::string_view source, std::size_t bytes, bool
     unsigned group = 0;
     for (std::size_t n = 0; n < 4; ++n) {
       const int digit = base64_digit(source[at + n]);
-      // The last group may end early: of its three bytes fewer are wanted then.
+      // Only the last group may be padded, where fewer than its three bytes are needed.
       if (digit < 0 && (source[at + n] != '=' || result.size() + n <= bytes)) return {};
       group = group << 6U | static_cast<unsigned>(std::max(digit, 0));
     }
@@ -64,7 +64,7 @@ std::optional<std::vector<std::uint64_t>> header_of(const VtkBlocks& blocks, std
   return numbers;
 }
 
-/// Fills `out`; false unless the block is whole and of just this size.
+/// Decompresses a block to `out`; false unless the block is complete and has exactly this size.
 bool inflate_block(VtkCompressor compressor, std::string_view block, char* out, std::size_t size) {
   const auto* in = reinterpret_cast<const unsigned char*>(block.data());
   auto* target = reinterpret_cast<unsigned char*>(out);
@@ -86,8 +86,8 @@ bool inflate_block(VtkCompressor compressor, std::string_view block, char* out, 
   return uncompress(target, &length, in, block.size()) == Z_OK && length == size;
 }
 
-/// Header: number of blocks, size of each when inflated, size of the last one if that is another, then the sizes of all
-/// as they are stored.
+/// The header has the number of blocks, the size of a block, the size of the last block (0 if it is as large as the
+/// others), all before compression, and then the size of every block after compression.
 std::optional<std::string> inflated(const VtkBlocks& blocks, std::size_t bytes) {
   const auto head = header_of(blocks, 3);
   if (!head) return {};
@@ -100,7 +100,7 @@ std::optional<std::string> inflated(const VtkBlocks& blocks, std::size_t bytes) 
   if (!header) return {};
   std::uint64_t stored = 0;
   for (std::size_t n = 3; n < header->size(); ++n) {
-    // The least that a compressor makes of so much: LZMA packs zeros seven thousandfold.
+    // No compressor does better: LZMA compresses zeros by a factor of seven thousand.
     const std::uint64_t one = (*header)[n];
     if (one > blocks.source.size() || (n + 1 < header->size() ? size : last) > 10000 * (one + 1)) return {};
     stored += one;

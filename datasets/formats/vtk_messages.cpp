@@ -24,7 +24,7 @@ std::string without_prefix(const std::string& text) {
   return last == std::string::npos ? "" : message.substr(0, last + 1);
 }
 
-// VTK's name and its factory macro are not in our naming style.
+// VTK's class and its factory macro have names of another style.
 class QuietWindow : public vtkOutputWindow {  // NOLINT(readability-identifier-naming)
  public:
   static QuietWindow* New();  // NOLINT(readability-identifier-naming)

@@ -1,4 +1,4 @@
-// VTK prints what goes wrong and carries on; here its messages are caught so that they can become an error with a
+// VTK prints its errors and carries on. This class catches them, so that the caller can throw an error with VTK's
 // cause.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace isobench {
 
-/// While one is alive, VTK's messages of this thread are collected instead of printed (and of other threads, dropped).
-/// The first one switches VTK's own printing off for the rest of the program.
+/// While an object of this class exists, VTK's messages on this thread are collected instead of printed; those on other
+/// threads are dropped. The first object switches VTK's printing off for the rest of the program.
 class VtkMessages {
  public:
   VtkMessages();
@@ -15,7 +15,7 @@ class VtkMessages {
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;
 
-  /// True if an error, not a mere warning, was reported.
+  /// True if VTK reported an error; warnings do not count.
   bool failed() const;
   /// The first error in VTK's words, on one line; "" if there was none.
   std::string first_error() const;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::size_t deepest = 32;  // real files have 6 levels
 
-/// Builds the elements as expat comes across them.
+/// Builds the elements in the order in which expat finds them.
 struct Builder {
   XML_Parser parser;
   VtkElement root;  // holds the document's element
@@ -31,7 +31,7 @@ struct Builder {
       XML_StopParser(self.parser, XML_FALSE);
       return;
     }
-    // While a child is open its parent gets no other: the pointers hold.
+    // A parent gets no further child while one is open, so the pointers in `open` stay valid.
     VtkElement& element = self.open.back()->children.emplace_back();
     element.name = name;
     for (const char** a = attributes; a[0] != nullptr; a += 2) element.attributes[a[0]] = a[1];
@@ -41,13 +41,13 @@ struct Builder {
   static void text(void* data, const char* characters, int length) {
     static_cast<Builder*>(data)->open.back()->text.append(characters, static_cast<std::size_t>(length));
   }
-  // No such file declares entities; who does means harm.
+  // VTK's files declare no document type. One that does may define entities that expand without end.
   static void doctype(void* data, const char*, const char*, const char*, int) {
     XML_StopParser(static_cast<Builder*>(data)->parser, XML_FALSE);
   }
 };
 
-/// std::nullopt where it is no XML.
+/// std::nullopt if it is not well-formed XML.
 std::optional<VtkElement> parse_xml(std::string_view xml, std::string_view tail) {
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(XML_ParserCreate(nullptr),
                                                                                              XML_ParserFree);
@@ -87,24 +87,6 @@ std::optional<SampleType> type_of(const VtkElement& array) {
   return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-template <class Number>
-std::optional<std::vector<Number>> numbers_of_text(std::string_view text, std::size_t count) {
-  if (text.size() / 2 + 1 < count) return {};  // a digit and a blank each
-  std::vector<Number> numbers;
-  numbers.reserve(count);
-  for (std::size_t at = text.find_first_not_of(blanks); at != text.npos; at = text.find_first_not_of(blanks, at)) {
-    const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
-    double value = 0.0;
-    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + end, value);
-    // What is too large or too small for a double is not a damaged file yet; too large is refused as not finite.
-    const bool number = (error == std::errc() || error == std::errc::result_out_of_range) && rest == text.data() + end;
-    if (!number || numbers.size() == count) return {};
-    numbers.push_back(static_cast<Number>(value));
-    at = end;
-  }
-  return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
-}
-
 }  // namespace
 
 std::string VtkElement::attribute(const std::string& key, const std::string& otherwise) const {
@@ -120,13 +102,14 @@ const VtkElement* VtkElement::child(const std::string& child_name) const {
 
 void VtkXmlFile::fail(const std::string& message) const { throw DataError(path_.string() + ": " + message); }
 
-/// Raw appended data are no XML: they are cut off before the rest is parsed.
+/// Takes raw appended data off the end of the text, because they are not XML.
 void VtkXmlFile::find_appended(std::string_view& xml) {
   const std::size_t tag = xml.find("<AppendedData");
   if (tag == xml.npos) return;
   const std::size_t end = xml.find('>', tag);
   const std::size_t mark = end == xml.npos ? end : xml.find_first_not_of(blanks, end + 1);
-  if (mark == xml.npos || xml[mark] != '_') fail("truncated or damaged: its appended data do not begin with '_'");
+  if (mark == xml.npos || xml[mark] != '_')
+    fail("truncated or damaged: its appended data do not begin with '_'; copy or export it again");
   appended_ = xml.substr(mark + 1);
   xml = xml.substr(0, end + 1);
 }
@@ -139,11 +122,11 @@ VtkXmlFile::VtkXmlFile(std::filesystem::path path, const std::string& type)
   }
   find_appended(xml);
   std::optional<VtkElement> root = parse_xml(xml, appended_.data() != nullptr ? "</AppendedData></VTKFile>" : "");
-  if (!root) fail("truncated or damaged: it is no whole XML; copy or export it again");
+  if (!root) fail("truncated or damaged: it is not well-formed XML; copy or export it again");
   root_ = std::move(*root);
   data_ = root_.child(type);
   if (root_.name != "VTKFile" || data_ == nullptr) {
-    fail(fmt::format("it holds '{}' where {} is expected; give a file of that kind", root_.attribute("type"), type));
+    fail(fmt::format("it holds '{}', but {} is expected; give a file of that kind", root_.attribute("type"), type));
   }
   const VtkElement* appended = root_.child("AppendedData");
   appended_base64_ = appended != nullptr && appended->attribute("encoding") == "base64";
@@ -154,7 +137,7 @@ std::size_t VtkXmlFile::count(const VtkElement& element, const std::string& attr
   std::size_t value = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || rest != text.data() + text.size() || value > std::size_t{1} << 40U) {
-    fail(fmt::format("its {} '{}' is not a possible number; copy or export it again", attribute, text));
+    fail(fmt::format("its {} '{}' is not a whole number from 0 to 2^40; copy or export it again", attribute, text));
   }
   return value;
 }
@@ -176,7 +159,7 @@ std::string VtkXmlFile::bytes_of_array(const VtkElement& array, std::size_t byte
     blocks.base64 = true;
   }
   blocks.wide_header = root_.attribute("header_type", "UInt32") == "UInt64";
-  blocks.order = root_.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little;
+  blocks.order = order();
   const std::string compressor = root_.attribute("compressor");
   if (compressor == "vtkZLibDataCompressor")
     blocks.compressor = VtkCompressor::zlib;
@@ -196,26 +179,41 @@ std::string VtkXmlFile::bytes_of_array(const VtkElement& array, std::size_t byte
   return std::move(*data);
 }
 
-template <class Number>
-std::vector<Number> VtkXmlFile::numbers(const VtkElement& array, std::size_t count) const {
+SampleType VtkXmlFile::type_of_array(const VtkElement& array) const {
   const std::optional<SampleType> type = type_of(array);
-  if (!type) fail(fmt::format("its array '{}' is not of numbers", array.attribute("Name")));
-  if (count == 0) return {};
-  if (array.attribute("format", "ascii") == "ascii") {
-    std::optional<std::vector<Number>> numbers = numbers_of_text<Number>(array.text, count);
-    if (!numbers) {
-      fail(fmt::format("truncated or damaged: its array '{}' is not of {} numbers; copy or export it again",
-                       array.attribute("Name"), count));
-    }
-    return std::move(*numbers);
+  if (!type) fail(fmt::format("its array '{}' does not hold numbers; export it again", array.attribute("Name")));
+  return *type;
+}
+
+ByteOrder VtkXmlFile::order() const {
+  return root_.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little;
+}
+
+Samples VtkXmlFile::text_samples(const VtkElement& array, std::size_t count, SampleType type) const {
+  std::optional<Samples> samples = samples_of_text(array.text, count, type);
+  if (!samples) {
+    fail(
+        fmt::format("truncated or damaged: its array '{}' does not hold {} numbers of type {}; copy or export it again",
+                    array.attribute("Name"), count, to_string(type)));
   }
-  const std::string bytes = bytes_of_array(array, count * bytes_of(*type));
-  std::vector<Number> numbers(count);
-  const bool big = root_.attribute("byte_order") == "BigEndian";
-  convert_samples(bytes.data(), count, *type, big ? ByteOrder::big : ByteOrder::little, numbers.data());
+  return std::move(*samples);
+}
+
+Samples VtkXmlFile::samples(const VtkElement& array, std::size_t count) const {
+  const SampleType type = type_of_array(array);
+  if (count == 0) return Samples(type);
+  if (array.attribute("format", "ascii") == "ascii") return text_samples(array, count, type);
+  return samples_of_bytes(bytes_of_array(array, count * bytes_of(type)).data(), count, type, order());
+}
+
+std::vector<double> VtkXmlFile::numbers(const VtkElement& array, std::size_t count) const {
+  const SampleType type = type_of_array(array);
+  if (count == 0) return {};
+  if (array.attribute("format", "ascii") == "ascii") return text_samples(array, count, SampleType::f64).as<double>();
+  const std::string bytes = bytes_of_array(array, count * bytes_of(type));
+  std::vector<double> numbers(count);
+  convert_samples(bytes.data(), count, type, order(), numbers.data());
   return numbers;
 }
-template std::vector<float> VtkXmlFile::numbers(const VtkElement&, std::size_t) const;
-template std::vector<double> VtkXmlFile::numbers(const VtkElement&, std::size_t) const;
 
 }  // namespace isobench

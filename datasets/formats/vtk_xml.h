@@ -1,6 +1,6 @@
 // VTK's XML files (VTI and VTP; version 0.1 to 2.x of the format): text, base64 or appended raw data, plain or
-// compressed with zlib, LZ4 or LZMA. Read here because VTK 9.1's own reader believes what a file says of itself: it
-// allocates what a header promises and writes outside its arrays where extents or blocks do not agree.
+// compressed with zlib, LZ4 or LZMA. The own reader of VTK 9.1 does not check a file: it takes as much memory as a
+// header promises, and writes outside its arrays if extents or blocks do not agree.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/samples.h"
 
 namespace isobench {
 
@@ -17,40 +20,44 @@ struct VtkElement {
   std::vector<VtkElement> children;
   std::string text;
 
-  /// "" where there is none.
+  /// `otherwise` if there is no such attribute.
   std::string attribute(const std::string& key, const std::string& otherwise = "") const;
-  /// The first child of this name; nullptr where there is none.
+  /// The first child of this name; nullptr if there is none.
   const VtkElement* child(const std::string& child_name) const;
 };
 
 class VtkXmlFile {
  public:
-  /// Throws DataError for what is no VTK XML file of this type, e.g. "ImageData".
+  /// Reads the whole file. Throws DataError if it is not a VTK XML file of this type, e.g. "ImageData".
   VtkXmlFile(std::filesystem::path path, const std::string& type);
 
-  /// The element of the file's type.
+  /// The element that the file's type names.
   const VtkElement& data() const { return *data_; }
-  /// A number of things, e.g. NumberOfPoints; 0 where the attribute is missing. Throws DataError unless it is a whole
-  /// number from 0 to 2^40.
+  /// An attribute that counts, e.g. NumberOfPoints; 0 if it is missing. Throws DataError unless it is a whole number
+  /// from 0 to 2^40.
   std::size_t count(const VtkElement& element, const std::string& attribute) const;
-  /// Whether a DataArray is of numbers at all.
+  /// True if a DataArray holds numbers.
   static bool is_numeric(const VtkElement& array);
-  /// The numbers of a DataArray, as float or double. Throws DataError if it does not hold exactly `count` of them; what
-  /// it can hold is checked before anything is allocated.
-  template <class Number>
-  std::vector<Number> numbers(const VtkElement& array, std::size_t count) const;
-  /// DataError: "path: message".
+  /// The numbers of a DataArray in their own type. Throws DataError if the array does not hold exactly `count` of them.
+  /// It compares `count` with what the file can hold before it takes memory.
+  Samples samples(const VtkElement& array, std::size_t count) const;
+  /// The same as double.
+  std::vector<double> numbers(const VtkElement& array, std::size_t count) const;
+  /// Throws DataError "path: message".
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
   void find_appended(std::string_view& xml);
   std::string bytes_of_array(const VtkElement& array, std::size_t bytes) const;
+  SampleType type_of_array(const VtkElement& array) const;
+  Samples text_samples(const VtkElement& array, std::size_t count, SampleType type) const;
+  ByteOrder order() const;
 
   std::filesystem::path path_;
   std::string bytes_;
   VtkElement root_;
   const VtkElement* data_ = nullptr;
-  std::string_view appended_;  // from the byte after "_"
+  std::string_view appended_;  // begins at the byte after "_"
   bool appended_base64_ = false;
 };
 

@@ -38,6 +38,28 @@ TEST(WriteVolume, WhatIsWrittenIsReadAgainInPlace) {
   }
 }
 
+TEST(WriteVolume, SamplesKeepTheirType) {
+  const TestFolder folder;
+  const std::vector<Samples> all = {
+      std::vector<std::uint8_t>(nx * ny * nz, 255),
+      std::vector<std::int8_t>(nx * ny * nz, -128),
+      std::vector<std::uint16_t>(nx * ny * nz, 65535),
+      std::vector<std::int16_t>(nx * ny * nz, -32768),
+      std::vector<std::uint32_t>(nx * ny * nz, 4294967295U),
+      std::vector<std::int32_t>(nx * ny * nz, 312782546),
+      std::vector<float>(nx * ny * nz, 0.1F),
+      std::vector<double>(nx * ny * nz, 0.1),
+      std::vector<std::int64_t>(nx * ny * nz, std::numeric_limits<std::int64_t>::min() + 1),
+      std::vector<std::uint64_t>(nx * ny * nz, std::numeric_limits<std::uint64_t>::max())};
+  for (const Samples& samples : all) {
+    const Volume volume{oblique_volume().lattice, samples};
+    for (const char* name : {"typed.nrrd", "typed.vti"}) {
+      write_volume(volume, folder.path() / name);
+      EXPECT_EQ(read_volume(folder.path() / name).samples, samples) << name << ' ' << to_string(samples.type());
+    }
+  }
+}
+
 TEST(WriteVolume, VtkReadsTheVti) {
   const TestFolder folder;
   const std::filesystem::path path = folder.path() / "oblique.vti";

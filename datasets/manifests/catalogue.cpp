@@ -16,7 +16,7 @@ namespace {
 
 bool is_path(const std::string& name) { return name.ends_with(".toml"); }
 
-/// Every catalogued name with its manifest; an entry of ISOBENCH_CATALOGUE hides one of the same name.
+/// The names of the catalogue and their manifests. A manifest in ISOBENCH_CATALOGUE hides one of the same name.
 std::map<std::string, std::filesystem::path> manifest_paths() {
   std::vector<std::filesystem::path> folders;
   if (const char* own = std::getenv("ISOBENCH_CATALOGUE"); own != nullptr && *own != '\0') {
@@ -35,8 +35,9 @@ std::map<std::string, std::filesystem::path> manifest_paths() {
     }
   }
   if (paths.empty()) {
-    throw UsageError(fmt::format("{} has no manifests; set ISOBENCH_CATALOGUE to the project's datasets/catalogue",
-                                 folders.back().string()));
+    throw UsageError(
+        fmt::format("{} has no manifests; set ISOBENCH_CATALOGUE to the folder datasets/catalogue of the source code",
+                    folders.back().string()));
   }
   return paths;
 }
@@ -62,7 +63,7 @@ Volume read_data(const Manifest& manifest, const DataFiles& data, Monitor& monit
   return manifest.raw ? read_raw(data.paths, *manifest.raw) : read_volume(data.paths.front());
 }
 
-// ", gap 1 mm" and the like.
+// For example ", gap 1 mm".
 std::string parameters_text(const Phantom& shape) {
   std::string text;
   for (const PhantomParameter& parameter : shape.parameters) {

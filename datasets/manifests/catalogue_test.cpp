@@ -6,13 +6,17 @@
 #include <algorithm>
 
 #include "isobench/datasets/manifests/manifest.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"
 #include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
+#include "isobench/foundation/testing/test_variable.h"
 
 namespace isobench {
 namespace {
 
-/// A ball of radius 4 voxels in 16³, value falling by 1 a voxel, 10 at the radius; NRRD with a spacing of 2 mm.
+/// An NRRD file of a ball of radius 4 voxels in 16³ nodes 2 mm apart. Values fall by 1 per voxel and are 10 at the
+/// radius.
 std::string ball_nrrd(double centre = 7.5) {
   std::vector<float> samples;
   for (int k = 0; k < 16; ++k) {
@@ -77,7 +81,7 @@ TEST_F(CatalogueOfOne, FetchesOnceThenTakesTheCache) {
   EXPECT_EQ(cached.checksum, dataset_checksum("ball"));
   Monitor monitor;
   EXPECT_EQ(fetch_dataset("ball", monitor), std::vector{folder.path() / "cache/ball/ball.nrrd"});
-  // Nothing half-fetched is left beside it.
+  // No incomplete file is left beside it.
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "cache/ball"), {}), 1);
 }
 
@@ -109,7 +113,7 @@ TEST_F(CatalogueOfOne, AWrongChecksumNamesFileSumsAndRemedy) {
 }
 
 TEST_F(CatalogueOfOne, WithoutNetworkOneSentenceSaysIsobenchData) {
-  write_manifest("http://127.0.0.1:1/", sum);  // nobody listens there
+  write_manifest("http://127.0.0.1:1/", sum);  // no server listens there
   const std::string message = message_of_load();
   EXPECT_NE(message.find("set ISOBENCH_DATA to a folder that has ball/ball.nrrd"), std::string::npos) << message;
   EXPECT_THROW(load(), DataError);
@@ -126,7 +130,7 @@ TEST_F(CatalogueOfOne, AnUnknownNameHasItsPlaceAndTheNearest) {
   EXPECT_NE(message.find("did you mean 'ball'?"), std::string::npos) << message;
 }
 
-/// A program of this name, first in the PATH, that runs these shell commands.
+/// Writes a program of this name that runs these shell commands, to a folder that the test puts first in PATH.
 void write_program(const TestFolder& folder, const std::string& name, const std::string& commands) {
   const auto path = folder.write("bin/" + name, "#!/bin/sh\n" + commands + "\n");
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
@@ -137,11 +141,10 @@ TEST_F(CatalogueOfOne, TakesFilesOutOfADebianPackage) {
                "Package: balls\nVersion: 1\nArchitecture: all\nMaintainer: nobody <n@example.org>\nDescription: x\n");
   folder.write("package/usr/share/balls/images/ball.nrrd", ball);
   const std::string root = folder.path().string();
-  ASSERT_EQ(
-      std::system(("cd " + root + "/package/usr/share/balls && tar -czf data.tar.gz images && rm -r images && cd " +
-                   root + " && dpkg-deb --build package balls_1_all.deb > /dev/null")
-                      .c_str()),
-      0);
+  const std::string share = root + "/package/usr/share/balls";
+  ASSERT_TRUE(run_command({"tar", "-C", share, "-czf", share + "/data.tar.gz", "images"}).exit.succeeded());
+  std::filesystem::remove_all(share + "/images");
+  ASSERT_TRUE(run_command({"dpkg-deb", "--build", root + "/package", root + "/balls_1_all.deb"}).exit.succeeded());
   // Stands in for the package archive.
   write_program(folder, "apt-get", "test \"$1 $2\" = 'download balls' && cp " + root + "/balls_1_all.deb .");
   const TestVariable path("PATH", root + "/bin:" + std::getenv("PATH"));
@@ -178,7 +181,7 @@ TEST_F(CatalogueOfOne, AUsersOwnManifestHasItsDataBesideIt) {
   EXPECT_EQ(dataset.checksum, dataset_checksum(name));
   EXPECT_GT(dataset.surface->value({15.0, 15.0, 15.0}), 0.0);  // the middle is inside
   folder.write("own/scans/b.nrrd", ball_nrrd(7.0));
-  EXPECT_NE(dataset_checksum(name), dataset.checksum);  // no sum is stated, so the content's counts
+  EXPECT_NE(dataset_checksum(name), dataset.checksum);  // the manifest states no sha256, so the file's own is used
   std::filesystem::remove(folder.path() / "own/scans/b.nrrd");
   EXPECT_NE(message_of_load(name).find("b.nrrd: no such file"), std::string::npos) << message_of_load(name);
   EXPECT_NE(message_of_load("none.toml").find("config.toml:7:3"), std::string::npos);
@@ -200,7 +203,7 @@ TEST(Catalogue, EveryManifestIsValidAndPinned) {
     if (!info.source.starts_with("phantom")) {
       EXPECT_FALSE(info.licence.empty());
     }
-    // Needs no data: a catalogued file states its sum.
+    // This needs no data, because the catalogue states every file's checksum.
     EXPECT_EQ(dataset_checksum(info.name).size(), 64U);
   }
 }
@@ -231,6 +234,91 @@ TEST(DatasetFromFile, TakesAnIsovalueAndSmoothing) {
   EXPECT_THROW(dataset_from_file(path, 10.0, Inside::above, -1.0, Kernel::bspline, monitor), UsageError);
 }
 
+/// Two blocks of labels in 16³ nodes, 4 ≤ j, k < 12: the first where 2 ≤ i < 7, the second where 9 ≤ i < 14.
+template <class Label>
+std::string two_blocks(Label first, Label second) {
+  std::string bytes;
+  for (int n = 0; n < 16 * 16 * 16; ++n) {
+    const int i = n % 16;
+    const int j = n / 16 % 16;
+    const int k = n / 256;
+    const bool within = j >= 4 && j < 12 && k >= 4 && k < 12;
+    const Label label = !within ? 0 : i >= 2 && i < 7 ? first : i >= 9 && i < 14 ? second : Label{0};
+    bytes += bytes_of_value(label);
+  }
+  return bytes;
+}
+
+/// Loads `file` through a manifest that selects one label, and says at which of the two blocks the surface is.
+template <class Label>
+std::string selected_block(const TestFolder& folder, const std::string& file, Label label) {
+  const auto manifest = folder.write(
+      "labels.toml", fmt::format("title = \"Labels\"\nisovalue = 0.5\nprepare = [ {{ step = \"labels\", labels = [{}] "
+                                 "}} ]\n[data]\nfiles = [ {{ name = \"{}\" }} ]\n",
+                                 label, file));
+  Monitor monitor;
+  const Dataset dataset = load_dataset(manifest.string(), monitor);
+  const bool first = dataset.surface->value({4.0, 8.0, 8.0}) > 0.0;
+  const bool second = dataset.surface->value({11.0, 8.0, 8.0}) > 0.0;
+  return first && second ? "both" : first ? "first" : second ? "second" : "none";
+}
+
+template <class Label>
+void expect_told_apart(const std::string& file, const std::string& header, Label first, Label second) {
+  const TestFolder folder;
+  folder.write(file, header + two_blocks(first, second));
+  EXPECT_EQ(selected_block(folder, file, first), "first") << file;
+  EXPECT_EQ(selected_block(folder, file, second), "second") << file;
+}
+
+std::string nrrd_of_blocks(const std::string& type) {
+  return fmt::format(
+      "NRRD0001\ntype: {}\ndimension: 3\nsizes: 16 16 16\nspacings: 1 1 1\nendian: little\nencoding: raw\n\n", type);
+}
+
+std::string nifti_of_blocks(std::int16_t datatype, std::int16_t bits) {
+  std::string header(352, '\0');
+  const auto put = [&](std::size_t at, const std::string& bytes) { header.replace(at, bytes.size(), bytes); };
+  put(0, bytes_of_value(std::int32_t{348}));
+  put(40, bytes_of_value(std::int16_t{3}));
+  for (const std::size_t at : {42, 44, 46}) put(at, bytes_of_value(std::int16_t{16}));
+  put(70, bytes_of_value(datatype));
+  put(72, bytes_of_value(bits));
+  for (const std::size_t at : {76, 80, 84, 88, 112}) put(at, bytes_of_value(1.0F));  // spacings; a slope of 1
+  put(108, bytes_of_value(352.0F));
+  put(344, "n+1");
+  return header;
+}
+
+// Labels of the Allen brain atlas: as floats both are 312782560.
+TEST(DatasetOfLabels, LabelsThatRoundToOneFloatAreToldApart) {
+  expect_told_apart<std::int32_t>("i.nrrd", nrrd_of_blocks("int32"), 312782546, 312782574);
+  expect_told_apart<std::uint32_t>("u.nrrd", nrrd_of_blocks("uint32"), 312782546, 312782574);
+  expect_told_apart<std::int32_t>("i.nii", nifti_of_blocks(8, 32), 312782546, 312782574);
+  expect_told_apart<std::uint32_t>("u.nii", nifti_of_blocks(768, 32), 312782546, 312782574);
+}
+
+TEST(DatasetOfLabels, LabelsThatRoundToOneDoubleAreToldApart) {
+  const std::int64_t beyond = (std::int64_t{1} << 53) + 1;
+  expect_told_apart<std::int64_t>("i.nrrd", nrrd_of_blocks("int64"), beyond, beyond - 1);
+  expect_told_apart<std::int64_t>("i.nii", nifti_of_blocks(1024, 64), -beyond, 1 - beyond);
+  expect_told_apart<std::uint64_t>("u.nrrd", nrrd_of_blocks("uint64"), std::uint64_t{beyond},
+                                   std::uint64_t{beyond} - 1);
+}
+
+TEST(DatasetFromFile, ChecksumIsThatOfTheFloatsWhateverTheirTypeInTheFile) {
+  const TestFolder folder;
+  Monitor monitor;
+  const auto checksum = [&](const std::string& bytes) {
+    const auto path = folder.write("blocks.nrrd", bytes);
+    return dataset_from_file(path, 1.5, Inside::above, 0.0, Kernel::bspline, monitor).checksum;
+  };
+  const std::string as_bytes = checksum(nrrd_of_blocks("uint8") + two_blocks<std::uint8_t>(3, 5));
+  EXPECT_EQ(checksum(nrrd_of_blocks("float") + two_blocks<float>(3, 5)), as_bytes);
+  EXPECT_EQ(checksum(nrrd_of_blocks("int64") + two_blocks<std::int64_t>(3, 5)), as_bytes);
+  EXPECT_NE(checksum(nrrd_of_blocks("uint8") + two_blocks<std::uint8_t>(3, 4)), as_bytes);
+}
+
 /// True if f is inside at some node of the lattice's border.
 bool inside_at_border(const Isosurface& surface) {
   const auto& size = surface.lattice().size;
@@ -255,7 +343,7 @@ TEST(DatasetFromFile, ClosesAnObjectThatLeavesTheVolumeAndSaysSo) {
   ASSERT_EQ(monitor.notes().size(), 1U);
   EXPECT_NE(monitor.notes()[0].find("closed at its border"), std::string::npos);
   EXPECT_FALSE(inside_at_border(*above.surface));
-  // The complement leaves it on all sides.
+  // The complement of the ball reaches the border on all sides.
   const Dataset below = dataset_from_file(path, 10.0, Inside::below, 0.0, Kernel::bspline, monitor);
   EXPECT_EQ(monitor.notes().size(), 2U);
   EXPECT_FALSE(inside_at_border(*below.surface));

@@ -1,4 +1,4 @@
-// The real volumes, prepared as their manifests say. They need the data: ISOBENCH_DATA names the folder.
+// The real volumes, prepared as their manifests state. ISOBENCH_DATA must name the folder that has them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ struct Expected {
 
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.name; }
 
-/// ISOBENCH_DATA or, for what an earlier run fetched out of a Debian package, the cache.
+/// True if ISOBENCH_DATA has the folder, or the cache, where an earlier run may have put a Debian package's files.
 bool is_at_hand(const std::string& folder) {
   const char* root = std::getenv("ISOBENCH_DATA");
   if (root == nullptr) return false;
@@ -39,7 +39,7 @@ TEST_P(CatalogueVolumesSlow, ArePreparedToTheSizeKnown) {
   for (const StageTime& stage : monitor.stages()) RecordProperty(stage.name, std::to_string(stage.wall_seconds));
 }
 
-// Sizes as a first preparation of the same data with NumPy and SciPy found them.
+// The sizes come from a separate preparation of the same data with NumPy and SciPy.
 INSTANTIATE_TEST_SUITE_P(Real, CatalogueVolumesSlow,
                          testing::Values(Expected{"brain", {138, 176, 146}, {1.0, 1.0, 1.0}},
                                          Expected{"pelvis", {318, 200, 236}, {1.0, 1.0, 1.0}},

@@ -13,7 +13,7 @@ namespace isobench {
 
 namespace {
 
-/// A variable that is set to nothing counts as not set.
+/// "" if the variable is not set.
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -39,7 +39,7 @@ DataFiles check_files(const Manifest& manifest, const std::filesystem::path& fol
     const std::string sum = sha256_of_file(path);
     if (!file.sha256.empty() && sum != file.sha256) {
       throw DataError(
-          fmt::format("{}: its SHA-256 is {} where {} is expected; {}", path.string(), sum, file.sha256, remedy));
+          fmt::format("{}: its SHA-256 is {}, but {} is expected; {}", path.string(), sum, file.sha256, remedy));
     }
     found.paths.push_back(path);
     found.sums.push_back(sum);
@@ -47,7 +47,7 @@ DataFiles check_files(const Manifest& manifest, const std::filesystem::path& fol
   return found;
 }
 
-/// The user's folder, if the variable is set and it has the files.
+/// The dataset's folder in ISOBENCH_DATA; empty if the variable is not set or a file is missing there.
 std::filesystem::path data_folder(const Manifest& manifest) {
   const std::filesystem::path root = environment("ISOBENCH_DATA");
   if (root.empty()) return {};
@@ -58,13 +58,14 @@ std::filesystem::path data_folder(const Manifest& manifest) {
   return has_all(root / manifest.folder, manifest) ? root / manifest.folder : std::filesystem::path();
 }
 
-/// Into the cache; says from where.
+/// Fetches the files into the cache. Returns in words where they came from.
 std::string fetch(const Manifest& manifest, const std::filesystem::path& folder, Monitor& monitor) {
   const auto stage = monitor.stage("fetch");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
-    throw DataError(folder.string() + ": the cache cannot be made; set ISOBENCH_CACHE to a folder that can be written");
+    throw DataError(folder.string() +
+                    ": the cache's folder cannot be made; set ISOBENCH_CACHE to a folder that can be written");
   if (manifest.package) {
     fetch_from_package(manifest, folder, monitor);
     return "the Debian package " + manifest.package->name;
@@ -78,12 +79,13 @@ std::string fetch(const Manifest& manifest, const std::filesystem::path& folder,
 }  // namespace
 
 std::filesystem::path cache_folder() {
-  if (const std::string own = environment("ISOBENCH_CACHE"); !own.empty()) return own;
+  if (std::string own = environment("ISOBENCH_CACHE"); !own.empty()) return own;
   if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty())
     return std::filesystem::path(xdg) / "isobench";
   if (const std::string home = environment("HOME"); !home.empty())
     return std::filesystem::path(home) / ".cache" / "isobench";
-  throw DataError("there is no place for the cache: none of ISOBENCH_CACHE, XDG_CACHE_HOME and HOME is set; set one");
+  throw DataError(
+      "there is no folder for the cache: none of ISOBENCH_CACHE, XDG_CACHE_HOME and HOME is set; set one of them");
 }
 
 DataFiles locate_data(const Manifest& manifest, Monitor& monitor) {
@@ -98,20 +100,22 @@ DataFiles locate_data(const Manifest& manifest, Monitor& monitor) {
     const auto missing = std::find_if_not(manifest.files.begin(), manifest.files.end(), [&](const ManifestFile& file) {
       return has_file(manifest.beside / manifest.folder, file);
     });
-    throw DataError(fmt::format("{}: no such file; the manifest of '{}' names it",
-                                (manifest.beside / manifest.folder / missing->name).string(), manifest.name));
+    throw DataError(
+        fmt::format("{}: no such file; the manifest of '{}' names it, so correct the manifest or put the file there",
+                    (manifest.beside / manifest.folder / missing->name).string(), manifest.name));
   }
   if (const std::filesystem::path folder = data_folder(manifest); !folder.empty()) {
     return check_files(manifest, folder, "ISOBENCH_DATA, " + folder.string(),
                        "replace it, or unset ISOBENCH_DATA to have it fetched", monitor);
   }
-  // A user's manifest without a folder still gets one of its own in the cache.
+  // A user's manifest that states no folder gets one named after the dataset in the cache.
   const std::filesystem::path folder =
       cache_folder() / (manifest.folder.empty() ? std::filesystem::path(manifest.name) : manifest.folder);
   const bool cached = has_all(folder, manifest);
   if (!cached && !fetchable) {
-    throw DataError(fmt::format("{}: nothing publishes its files; set ISOBENCH_DATA to a folder that has {}",
-                                manifest.name, (manifest.folder / manifest.files.front().name).string()));
+    throw DataError(
+        fmt::format("{}: its manifest states no address for its files; set ISOBENCH_DATA to a folder that has {}",
+                    manifest.name, (manifest.folder / manifest.files.front().name).string()));
   }
   const std::string origin = cached ? "" : ", fetched from " + fetch(manifest, folder, monitor);
   return check_files(manifest, folder, "the cache, " + folder.string() + origin,

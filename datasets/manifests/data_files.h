@@ -1,4 +1,5 @@
-// Where a manifest's files are: a folder of the user's, the cache, or, brought into the cache, an address or a package.
+// Finding a manifest's files: in a folder of the user's, in the cache, or at an address or in a package, from which
+// they are fetched into the cache.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +12,17 @@
 namespace isobench {
 
 struct DataFiles {
-  std::vector<std::filesystem::path> paths;  ///< one a file of the manifest, in its order
-  std::vector<std::string> sums;             ///< their SHA-256, checked against the manifest's
-  std::string source;                        ///< in words: which of the places, and where it is
+  std::vector<std::filesystem::path> paths;  ///< one for each file of the manifest, in its order
+  std::vector<std::string> sums;             ///< their SHA-256, which were compared with the manifest's
+  std::string source;                        ///< the place where they were found, in words
 };
 
-/// Looks beside a user's own manifest, then in ISOBENCH_DATA, then in the cache, and else fetches into the cache.
-/// A folder counts only if it has all the files. Throws DataError, naming the file and the remedy, if a checksum does
-/// not match, nothing has the files and they cannot be fetched, or ISOBENCH_DATA is not a folder.
+/// Looks beside a user's own manifest, then in ISOBENCH_DATA, then in the cache, for a folder that has all the files;
+/// else fetches them into the cache. Throws DataError naming the file and the remedy if a checksum is wrong, if the
+/// files are nowhere and cannot be fetched, or if ISOBENCH_DATA is not a folder.
 DataFiles locate_data(const Manifest& manifest, Monitor& monitor);
 
-/// $ISOBENCH_CACHE, $XDG_CACHE_HOME/isobench or ~/.cache/isobench.
+/// $ISOBENCH_CACHE, else $XDG_CACHE_HOME/isobench, else ~/.cache/isobench. Throws DataError if no variable is set.
 std::filesystem::path cache_folder();
 
 }  // namespace isobench

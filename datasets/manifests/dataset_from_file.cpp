@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/datasets/manifests/manifest.h"
@@ -10,11 +12,11 @@ namespace isobench {
 
 namespace {
 
-constexpr int border_layers = 2;  // as many as the cubic spline reaches beyond a node
+constexpr int border_layers = 2;  // the cubic spline reaches two nodes beyond a point
 
-/// True if a node of the outermost layers is inside the object.
-bool leaves_volume(const Volume& volume, double isovalue, Inside inside) {
-  const auto& size = volume.lattice.size;
+template <class T>
+bool border_is_inside(const std::vector<T>& samples, const Lattice& lattice, double isovalue, Inside inside) {
+  const auto& size = lattice.size;
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       for (int i = 0; i < size[0]; ++i) {
@@ -26,7 +28,7 @@ bool leaves_volume(const Volume& volume, double isovalue, Inside inside) {
           i = std::max(i, size[0] - border_layers - 1);  // on to the far border of the row
           continue;
         }
-        const float sample = volume.at(i, j, k);
+        const auto sample = static_cast<float>(samples[lattice.index(i, j, k)]);
         if (inside == Inside::above ? sample > isovalue : sample < isovalue) return true;
       }
     }
@@ -34,8 +36,14 @@ bool leaves_volume(const Volume& volume, double isovalue, Inside inside) {
   return false;
 }
 
-/// Clamps the border just outside the isovalue. A tenth of the object's own range keeps the closing surface steep
-/// enough to be projected on, and near enough not to make a deep crease.
+/// True if a node of the outermost layers is inside the object.
+bool leaves_volume(const Volume& volume, double isovalue, Inside inside) {
+  return volume.samples.visit(
+      [&](const auto& samples) { return border_is_inside(samples, volume.lattice, isovalue, inside); });
+}
+
+/// Clamps the border to a value just outside the object. A tenth of the object's range of values makes the closing
+/// surface steep enough for projection, and keeps the crease where it meets the object's surface shallow.
 CloseBorder closing_step(const Volume& volume, double isovalue, Inside inside) {
   const Range range = sample_range(volume);
   CloseBorder step;
@@ -46,6 +54,18 @@ CloseBorder closing_step(const Volume& volume, double isovalue, Inside inside) {
   return step;
 }
 
+/// Hashes the samples rounded to float, as F is made of them, whatever their type in the file.
+void add_samples(const Samples& samples, Sha256& hash) {
+  samples.visit([&](const auto& values) {
+    std::vector<float> chunk;
+    for (std::size_t first = 0; first < values.size(); first += chunk.size()) {
+      chunk.resize(std::min<std::size_t>(values.size() - first, 65536));
+      for (std::size_t n = 0; n < chunk.size(); ++n) chunk[n] = static_cast<float>(values[first + n]);
+      hash.add(chunk.data(), chunk.size() * sizeof(float));
+    }
+  });
+}
+
 std::string checksum_of(const Volume& volume, const std::string& arguments) {
   Sha256 hash;
   hash.add(arguments);
@@ -54,7 +74,7 @@ std::string checksum_of(const Volume& volume, const std::string& arguments) {
   hash.add(lattice.spacing.data(), 3 * sizeof(double));
   hash.add(lattice.origin.data(), 3 * sizeof(double));
   hash.add(lattice.direction.data(), 9 * sizeof(double));
-  hash.add(volume.samples.data(), volume.samples.size() * sizeof(float));
+  add_samples(volume.samples, hash);
   return hash.hex();
 }
 
@@ -62,7 +82,7 @@ std::string checksum_of(const Volume& volume, const std::string& arguments) {
 
 Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, Inside inside, double smooth_voxels,
                           Kernel kernel, Monitor& monitor) {
-  if (!std::isfinite(isovalue)) throw UsageError("the isovalue must be a finite number");
+  if (!std::isfinite(isovalue)) throw UsageError("the isovalue is not a finite number; give one that is");
   if (!(smooth_voxels >= 0.0 && smooth_voxels < 1000.0)) {
     throw UsageError(
         fmt::format("smoothing by {} voxels is not possible; give a number from 0 to 1000", smooth_voxels));

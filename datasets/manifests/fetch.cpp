@@ -2,12 +2,12 @@
 
 #include <curl/curl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
 
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/sha256.h"
 
 namespace isobench {
@@ -21,7 +21,7 @@ int on_progress(void* monitor, curl_off_t total, curl_off_t now, curl_off_t, cur
     else
       static_cast<Monitor*>(monitor)->check();
   } catch (const Cancelled&) {
-    return 1;  // an exception must not pass through libcurl; the caller asks again
+    return 1;  // stops the transfer; no exception may pass through libcurl, so the caller checks again
   }
   return 0;
 }
@@ -30,15 +30,6 @@ void start_curl() {
   static const CURLcode code = curl_global_init(CURL_GLOBAL_DEFAULT);
   if (code != CURLE_OK) throw DataError("libcurl cannot be started; reinstall it");
 }
-
-/// Removes a half-fetched file however the function that made it ends.
-struct PartialFile {
-  std::filesystem::path path;
-  ~PartialFile() {
-    std::error_code error;
-    std::filesystem::remove(path, error);
-  }
-};
 
 std::string download(const std::string& address, std::FILE* out, Monitor& monitor) {
   const std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl(curl_easy_init(), curl_easy_cleanup);
@@ -53,7 +44,7 @@ std::string download(const std::string& address, std::FILE* out, Monitor& monito
   curl_easy_setopt(curl.get(), CURLOPT_REDIR_PROTOCOLS_STR, "https,http");
   curl_easy_setopt(curl.get(), CURLOPT_NOSIGNAL, 1L);
   curl_easy_setopt(curl.get(), CURLOPT_CONNECTTIMEOUT, 20L);
-  // A transfer that stays below 100 bytes a second for a minute is dead.
+  // Gives up a transfer that stays below 100 bytes a second for a minute.
   curl_easy_setopt(curl.get(), CURLOPT_LOW_SPEED_LIMIT, 100L);
   curl_easy_setopt(curl.get(), CURLOPT_LOW_SPEED_TIME, 60L);
   curl_easy_setopt(curl.get(), CURLOPT_XFERINFOFUNCTION, on_progress);
@@ -68,11 +59,11 @@ std::string download(const std::string& address, std::FILE* out, Monitor& monito
 
 void fetch_from_address(const ManifestFile& file, const std::filesystem::path& folder, Monitor& monitor) {
   start_curl();
-  const std::filesystem::path target = folder / file.name;
-  const PartialFile part{target.string() + fmt::format(".{}.part", getpid())};
-  std::FILE* out = std::fopen(part.path.c_str(), "wb");
+  PartialFile part(folder / file.name);
+  std::FILE* out = std::fopen(part.path().c_str(), "wb");
   if (out == nullptr)
-    throw DataError(folder.string() + ": the cache cannot be written; set ISOBENCH_CACHE to a folder that can");
+    throw DataError(folder.string() +
+                    ": the cache cannot be written; set ISOBENCH_CACHE to a folder that can be written");
   const std::string problem = download(file.address, out, monitor);
   const bool written = std::fclose(out) == 0;
   monitor.check();
@@ -82,14 +73,14 @@ void fetch_from_address(const ManifestFile& file, const std::filesystem::path& f
         file.name, file.address, problem.empty() ? "the disk is full" : problem,
         (folder.filename() / file.name).string()));
   }
-  const std::string sum = sha256_of_file(part.path);
+  const std::string sum = sha256_of_file(part.path());
   if (sum != file.sha256) {
     throw DataError(fmt::format(
-        "{}: its SHA-256 is {} where {} is expected; its publisher has changed it, so set ISOBENCH_DATA to a "
-        "folder that has the original {}",
+        "{}: its SHA-256 is {}, but {} is expected; its publisher has changed it, so set ISOBENCH_DATA to a folder "
+        "that has the original {}",
         file.address, sum, file.sha256, (folder.filename() / file.name).string()));
   }
-  std::filesystem::rename(part.path, target);
+  part.complete();
 }
 
 }  // namespace isobench

@@ -1,5 +1,5 @@
-// Bringing files into a folder from an address or out of a Debian package. Each file appears under its name only when
-// it is complete and its checksum matches, so that a process that is killed, or another one beside it, does no harm.
+// Fetching files into a folder, from an address or from a Debian package. A file gets its name only when it is complete
+// and its checksum is right, so that neither a killed process nor a second one beside it does harm.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,12 @@
 
 namespace isobench {
 
-/// By libcurl (https, http, file). Throws DataError, saying what libcurl says, if it fails or the checksum differs.
+/// Downloads with libcurl (https, http, file). Throws DataError with libcurl's message if that fails, or if the
+/// checksum is wrong.
 void fetch_from_address(const ManifestFile& file, const std::filesystem::path& folder, Monitor& monitor);
 
-/// By apt-get download and dpkg-deb -x (and tar), into a scratch folder within `folder`; needs no root and installs
-/// nothing. Throws DataError, saying what the failing program said.
+/// Downloads with apt-get and unpacks with dpkg-deb and tar, in a scratch folder within `folder`. Needs no root and
+/// installs nothing. Throws DataError with the failing program's last message.
 void fetch_from_package(const Manifest& manifest, const std::filesystem::path& folder, Monitor& monitor);
 
 }  // namespace isobench

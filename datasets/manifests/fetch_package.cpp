@@ -1,33 +1,25 @@
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
-
 #include "isobench/datasets/manifests/fetch.h"
 #include "isobench/foundation/error.h"
-#include "isobench/foundation/run_tool.h"
+#include "isobench/foundation/files/scratch_folder.h"
+#include "isobench/foundation/files/whole_files.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"
 
 namespace isobench {
 
 namespace {
 
-std::string last_line(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string last;
-  for (std::string line; std::getline(file, line);) {
-    if (!line.empty()) last = line;
-  }
-  return last.empty() ? "it could not be started" : last;
-}
-
 void run_step(const std::vector<std::string>& words, const std::filesystem::path& folder, const Manifest& manifest) {
   if (run_tool(words, folder)) return;
+  const std::string said = last_lines(folder / "log.txt", 1);
   const std::filesystem::path wanted = manifest.folder / manifest.files.front().name;
   throw DataError(fmt::format(
       "{}: {} failed on the Debian package {} ({}); run apt-get update with the package archive reachable, or set "
       "ISOBENCH_DATA to a folder that has {}",
-      manifest.name, words.front(), manifest.package->name, last_line(folder / "log.txt"), wanted.string()));
+      manifest.name, words.front(), manifest.package->name, said.empty() ? "it could not be started" : said,
+      wanted.string()));
 }
 
 std::filesystem::path package_file(const std::filesystem::path& folder) {
@@ -57,14 +49,15 @@ void fetch_from_package(const Manifest& manifest, const std::filesystem::path& f
   for (const ManifestFile& file : manifest.files) {
     const std::filesystem::path member = root / file.member;
     if (!std::filesystem::is_regular_file(member)) {
-      throw DataError(fmt::format("{}: the Debian package {} has no {}; another version of it is needed", manifest.name,
-                                  manifest.package->name, file.member));
+      throw DataError(fmt::format(
+          "{}: the Debian package {} has no {}; fetch the version of the package that the manifest was written for",
+          manifest.name, manifest.package->name, file.member));
     }
     const std::string sum = sha256_of_file(member);
     if (sum != file.sha256) {
       throw DataError(fmt::format(
-          "{} of the Debian package {}: its SHA-256 is {} where {} is expected; another version of the package is "
-          "needed",
+          "{} of the Debian package {}: its SHA-256 is {}, but {} is expected; fetch the version of the package that "
+          "the manifest was written for",
           file.member, manifest.package->name, sum, file.sha256));
     }
     std::filesystem::rename(member, folder / file.name);

@@ -16,7 +16,7 @@ namespace isobench {
 
 namespace {
 
-/// Raised when a preparing step or a phantom changes its results, so that nothing made before is taken for current.
+/// Raised whenever a preparation step or a phantom gives other results, so that no earlier result is reused.
 constexpr int preparation_revision = 1;
 
 std::string string_or(const TomlValue& table, const char* key, const std::string& otherwise = "") {
@@ -24,7 +24,7 @@ std::string string_or(const TomlValue& table, const char* key, const std::string
   return value ? value->as_string() : otherwise;
 }
 
-/// One of a few words; the first where the key is absent.
+/// The choice that a word names; the first choice if the key is absent.
 template <class Choice>
 Choice parse_choice(const TomlValue& table, const char* key, std::initializer_list<Choice> choices) {
   const auto value = table.find(key);
@@ -38,39 +38,37 @@ Choice parse_choice(const TomlValue& table, const char* key, std::initializer_li
   throw UsageError(value->place(), fmt::format("unknown {} '{}'{}", key, word, suggestion(word, words)));
 }
 
-/// A path from outside must stay where it is put: no root, no "..". Nor may it be taken for an option of the programs
-/// that unpack packages, or be more than a file system can name.
+/// A relative path. It must not lead out of its folder, must not look like an option to the programs that unpack
+/// packages, and must not be longer than a file system allows.
 std::filesystem::path parse_relative(const TomlValue& value) {
   const std::string text = value.as_string();
   std::filesystem::path path(text);
   const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
   if (path.empty() || path.is_absolute() || climbs) {
-    throw UsageError(value.place(), fmt::format("'{}' must be a relative path without '..'", text));
+    throw UsageError(value.place(), fmt::format("'{}' is not a relative path without '..'; give one", text));
   }
   const bool long_part =
       std::any_of(path.begin(), path.end(), [](const auto& part) { return part.string().size() > 200; });
   if (text.front() == '-' || long_part || text.size() > 1000 || printable(text) != text) {
-    throw UsageError(value.place(), fmt::format("'{}' cannot be the path of a file here; rename it", text));
+    throw UsageError(value.place(), fmt::format("'{}' cannot be the path of a file: it begins with '-', is too long or "
+                                                "has unprintable characters; rename it",
+                                                text));
   }
   return path;
 }
 
-/// It goes to apt-get: a name as Debian's policy (5.6.1) has it, and so no option.
+/// A package's name as Debian's policy (5.6.1) defines it. It is given to apt-get, so it must not look like an option.
 ManifestPackage parse_package(const TomlValue& value, const std::optional<TomlValue>& archive) {
   ManifestPackage package{value.as_string(), archive ? parse_relative(*archive).string() : ""};
   const bool letters = package.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.") == std::string::npos;
   if (package.name.size() < 2 || !letters || package.name.find_first_of("+-.") == 0) {
-    throw UsageError(value.place(), fmt::format("'{}' is not the name of a Debian package", package.name));
+    throw UsageError(value.place(), fmt::format("'{}' is not the name of a Debian package; correct it", package.name));
   }
   return package;
 }
 
-std::string parse_sha256(const TomlValue& value) {
-  std::string sum = value.as_string();
-  const bool digits = sum.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (sum.size() != 64 || !digits)
-    throw UsageError(value.place(), "a SHA-256 of 64 lower-case hexadecimal digits is expected");
-  return sum;
+bool is_sha256(const std::string& sum) {
+  return sum.size() == 64 && sum.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 ManifestFile parse_file(const TomlValue& table, const std::string& address,
@@ -80,9 +78,13 @@ ManifestFile parse_file(const TomlValue& table, const std::string& address,
   file.name = parse_relative(table.require("name")).string();
   if (!address.empty()) file.address = address + file.name;
   if (package) file.member = parse_relative(table.require("member")).string();
-  if (const auto sum = table.find("sha256")) file.sha256 = parse_sha256(*sum);
+  if (const auto sum = table.find("sha256")) {
+    file.sha256 = sum->as_string();
+    if (!is_sha256(file.sha256))
+      throw UsageError(sum->place(), "a SHA-256 of 64 lower-case hexadecimal digits is expected");
+  }
   if (file.sha256.empty() && (!file.address.empty() || package)) {
-    throw UsageError(table.place(), fmt::format("'{}' is fetched, so it needs its sha256", file.name));
+    throw UsageError(table.place(), fmt::format("'{}' is to be fetched but has no sha256; state it", file.name));
   }
   return file;
 }
@@ -96,7 +98,7 @@ RawLayout parse_raw(const TomlValue& table) {
   for (std::size_t axis = 0; axis < 3; ++axis) raw.size[axis] = parse_count(counts[axis], 1);
   raw.spacing = parse_triple(table.require("spacing"));
   const TomlValue type = table.require("type");
-  const std::vector<std::string> types = {"u8", "i8", "u16", "i16", "u32", "i32", "f32", "f64"};
+  const std::vector<std::string> types = {"u8", "i8", "u16", "i16", "u32", "i32", "i64", "u64", "f32", "f64"};
   if (std::find(types.begin(), types.end(), type.as_string()) == types.end()) {
     throw UsageError(type.place(),
                      fmt::format("unknown sample type '{}'{}", type.as_string(), suggestion(type.as_string(), types)));
@@ -149,7 +151,7 @@ ManifestPhantom parse_phantom(const TomlValue& table) {
     }
   }
   table.allow_keys(keys, "[phantom]");
-  // 2048³ samples are 32 GiB; more nodes are a slip of the pen.
+  // 2048³ samples take 32 GiB; a larger number is most likely a mistake.
   chosen.nodes = parse_count(table.require("nodes"), 16, 2048);
   return chosen;
 }
@@ -167,7 +169,8 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
     manifest.name = path.stem().string();
     if (!is_plain_name(manifest.name)) {
       throw UsageError(Place{path.string()},
-                       "its name becomes part of the names of folders; rename it to up to 100 plain characters");
+                       "its name becomes part of folders' names; rename it to at most 100 printable characters, the "
+                       "first neither '.' nor '-'");
     }
     manifest.beside = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   }
@@ -180,12 +183,12 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
   const auto data = root.find("data");
   const auto phantom = root.find("phantom");
   if (data.has_value() == phantom.has_value()) {
-    throw UsageError(root.place(), "a manifest needs either [data] or [phantom]");
+    throw UsageError(root.place(), "a manifest needs either [data] or [phantom], and not both");
   }
   if (phantom) {
     for (const char* key : {"isovalue", "inside", "prepare"}) {
       if (const auto value = root.find(key))
-        throw UsageError(value->place(), fmt::format("a phantom has no '{}'", key));
+        throw UsageError(value->place(), fmt::format("a phantom has no '{}'; remove the key", key));
     }
     manifest.phantom = parse_phantom(*phantom);
     return manifest;

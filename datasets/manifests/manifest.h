@@ -1,4 +1,4 @@
-// A dataset's manifest: where its files come from, how they are prepared, and which surface in them is meant.
+// A dataset's manifest: where its files come from, how they are prepared, and which isosurface is taken.
 #pragma once
 
 #include <filesystem>
@@ -16,20 +16,20 @@ namespace isobench {
 struct ManifestFile {
   std::string name;     ///< within the manifest's folder
   std::string sha256;   ///< "" only for files that are not fetched
-  std::string address;  ///< "" where nothing publishes it
-  std::string member;   ///< its path in the package, or in the package's archive
+  std::string address;  ///< "" if no address publishes it
+  std::string member;   ///< its path in the package or in the package's archive
 };
 
-/// A Debian package that holds the files, perhaps in a tar archive within it.
+/// A Debian package that holds the files, by themselves or in a tar archive.
 struct ManifestPackage {
   std::string name;
-  std::string archive;  ///< "" if the files are the package's own members
+  std::string archive;  ///< "" if the files lie in the package by themselves
 };
 
 struct ManifestPhantom {
   std::string name;
   int nodes = 64;                            ///< along the longest axis
-  std::map<std::string, double> parameters;  ///< mm, those that the manifest states
+  std::map<std::string, double> parameters;  ///< mm; those that the manifest states
 };
 
 struct Manifest {
@@ -37,10 +37,10 @@ struct Manifest {
   std::string title;
   std::string licence;
   std::string source;               ///< who publishes it, in words
-  std::string acknowledgement;      ///< what its owners ask to be said
-  std::filesystem::path folder;     ///< below ISOBENCH_DATA and the cache, or, for a user's own manifest, beside it
-  std::filesystem::path beside;     ///< the folder of a user's own manifest; empty for the catalogue's
-  std::vector<ManifestFile> files;  ///< the first is read, the others lie beside it; raw files are read in order
+  std::string acknowledgement;      ///< the sentence that its owners ask for
+  std::filesystem::path folder;     ///< in ISOBENCH_DATA and in the cache, or in `beside`
+  std::filesystem::path beside;     ///< the folder of a user's own manifest; empty for one of the catalogue
+  std::vector<ManifestFile> files;  ///< the first is read and may name the others; raw files are all read, in order
   std::optional<ManifestPackage> package;
   std::optional<RawLayout> raw;
   std::optional<ManifestPhantom> phantom;
@@ -50,10 +50,11 @@ struct Manifest {
   Kernel kernel = Kernel::bspline;
 };
 
-/// Throws UsageError, with the place, for anything that is not a valid manifest.
+/// Reads a manifest. `name` is the dataset's name, or the manifest's own path. Throws UsageError with the place of what
+/// is wrong.
 Manifest read_manifest(const std::filesystem::path& path, const std::string& name);
 
-/// The SHA-256 of all that decides the prepared dataset. `file_sums` has one sum a file, in order.
+/// The SHA-256 of everything that determines the prepared dataset. `file_sums` are the files' own, in order.
 std::string manifest_checksum(const Manifest& manifest, const std::vector<std::string>& file_sums);
 
 }  // namespace isobench

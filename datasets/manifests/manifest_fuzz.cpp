@@ -1,4 +1,4 @@
-// Manifests, and their preparing steps on a small volume.
+// Fuzz target for manifests: parses one, and applies its preparation steps to a small volume.
 #include "isobench/datasets/manifests/manifest.h"
 #include "isobench/datasets/preparation/prepare.h"
 #include "isobench/foundation/testing/fuzz_target.h"
@@ -7,8 +7,8 @@ namespace isobench {
 
 namespace {
 
-Volume small_volume() {
-  Volume volume;
+FloatVolume small_volume() {
+  FloatVolume volume;
   volume.lattice.size = {6, 5, 4};
   volume.lattice.spacing = {0.5, 1.0, 1.5};
   for (std::size_t n = 0; n < volume.lattice.nodes(); ++n) {
@@ -17,7 +17,7 @@ Volume small_volume() {
   return volume;
 }
 
-/// Steps that make much of a small volume are refused or allowed elsewhere; here they would only take long.
+/// True for steps that would make the small volume large and the run slow.
 bool grows(const PrepareStep& step) {
   const auto* pad = std::get_if<Pad>(&step);
   const auto* resample = std::get_if<Resample>(&step);

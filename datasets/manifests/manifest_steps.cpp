@@ -14,7 +14,7 @@ namespace isobench {
 
 namespace {
 
-/// Samples are of single precision.
+/// A number that single precision can hold, in which F is computed.
 double parse_finite(const TomlValue& value) {
   const double number = value.as_number();
   if (!(std::abs(number) <= std::numeric_limits<float>::max())) {
@@ -30,14 +30,14 @@ int count_or(const TomlValue& table, const char* key, int otherwise, int least) 
 
 PrepareStep parse_gaussian(const TomlValue& table) {
   const TomlValue sigma = table.require("sigma");
-  const Gaussian step{parse_triple(sigma)};
-  if (step.sigma.maxCoeff() > 1000.0) throw UsageError(sigma.place(), "sigma: at most 1000 voxels are possible");
+  Gaussian step{parse_triple(sigma)};
+  if (step.sigma.maxCoeff() > 1000.0) throw UsageError(sigma.place(), "sigma is at most 1000 voxels");
   return step;
 }
 
 PrepareStep parse_labels(const TomlValue& table) {
   SelectLabels step;
-  for (const TomlValue& label : table.require("labels").as_list()) step.labels.push_back(parse_count(label, -32768));
+  for (const TomlValue& label : table.require("labels").as_list()) step.labels.push_back(label.as_integer());
   if (step.labels.empty()) throw UsageError(table.place(), "labels: at least one label is expected");
   return step;
 }
@@ -60,7 +60,7 @@ PrepareStep parse_close_border(const TomlValue& table, Inside inside) {
   return step;
 }
 
-/// A step's own keys and how they become the step.
+/// A step's own keys, and the function that makes the step of them.
 struct StepParser {
   std::vector<std::string> keys;
   std::function<PrepareStep(const TomlValue&, Inside)> parse;

@@ -1,4 +1,4 @@
-// The preparation chain of a manifest: prepare = [ { step = "pad", voxels = 4 }, … ].
+// The preparation steps of a manifest: prepare = [ { step = "pad", voxels = 4 }, … ].
 #pragma once
 
 #include <limits>
@@ -10,10 +10,10 @@
 
 namespace isobench {
 
-/// Throws UsageError, with the place, for an unknown step or key and for a value that makes no sense.
+/// Throws UsageError with the place of an unknown step or key, or of a value that is out of range.
 std::vector<PrepareStep> parse_steps(const TomlValue& list, Inside inside);
 
-/// A number for all axes, or three; each must be > 0.
+/// One number for all axes, or three; each must be > 0.
 Eigen::Vector3d parse_triple(const TomlValue& value);
 
 /// An integer from `least` to `most`.

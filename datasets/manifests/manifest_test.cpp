@@ -4,6 +4,7 @@
 
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {
@@ -81,7 +82,7 @@ TEST(Manifest, APhantomsOwnLengthsMayBeStated) {
   const Manifest manifest = parse(sheets + "gap = 1.5\n");
   EXPECT_EQ(manifest.phantom->parameters, (std::map<std::string, double>{{"gap", 1.5}}));
   EXPECT_NE(manifest_checksum(manifest, {}), manifest_checksum(parse(sheets), {}));
-  // What is stated as it is anyway changes nothing.
+  // Stating the default value changes nothing.
   EXPECT_EQ(manifest_checksum(parse(sheets + "gap = 1\n"), {}), manifest_checksum(parse(sheets), {}));
   expect_usage_error(sheets + "gap = 0\n", 5, "0.01 to 100 mm");
   expect_usage_error(sheets + "gap = inf\n", 5, "0.01 to 100 mm");

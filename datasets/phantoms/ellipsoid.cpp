@@ -12,8 +12,8 @@ Eigen::Matrix<double, N, 1> nearest_on_ellipsoid(const Eigen::Matrix<double, N, 
   const Point squares = semi_axes.cwiseProduct(semi_axes);
   const Point moments = semi_axes.cwiseProduct(y.cwiseAbs());
   Point x;
-  // Where y is in the plane of the last axis and g < 0 already at the pole t = −e_last², the nearest points leave that
-  // plane: two of them, mirrored, with the other coordinates as at the pole.
+  // If y lies in the plane perpendicular to the last axis and g < 0 at the pole t = −e_last², there are two nearest
+  // points, mirror images on both sides of that plane. Their other coordinates are those at the pole.
   if (moments[N - 1] == 0.0) {
     double left = 1.0;
     for (int i = 0; i + 1 < N; ++i) {
@@ -25,7 +25,7 @@ Eigen::Matrix<double, N, 1> nearest_on_ellipsoid(const Eigen::Matrix<double, N, 
       return x;
     }
   }
-  // Each term of g alone is 1 at t = −e_i² + e_i|y_i|, so g ≥ 0 at the largest of these.
+  // A single term of g is 1 at t = −e_i² + e_i|y_i|, so g ≥ 0 at the largest of these t.
   double t = (moments - squares).maxCoeff();
   for (int step = 0; step < 200; ++step) {
     double g = -1.0;

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 }  // namespace
 
-// Inner axis: the two centres. Outer axis: the plane between them.
+// The inner medial axis is the two centres, the outer one the plane between the spheres.
 Phantom sphere_pair(double radius, double gap) {
   const auto from_centre = [radius, gap](const Vector3d& x) {
     return Vector3d(std::abs(x[0]) - (radius + 0.5 * gap), x[1], x[2]).norm();
@@ -43,8 +43,9 @@ Phantom near_spheres(double gap) {
   return p;
 }
 
-// Each plate is all within half the thickness of a disc. Inner axis: the two discs, half the thickness from the whole
-// surface. Outer axis: the plane between the plates, half the gap from the sides that face each other.
+// A plate is everything within half the thickness of a disc. The inner medial axis is the two discs, everywhere half
+// the thickness from the surface; the outer one is the plane between the plates, half the gap from the sides that face
+// each other.
 Phantom thin_sheets(double thickness, double gap) {
   constexpr double disc = 18.0;
   const double half = 0.5 * thickness;
@@ -67,8 +68,9 @@ Phantom thin_sheets(double thickness, double gap) {
   return p;
 }
 
-// A union of convex sets: outside, the distance to the nearest of them is the distance to all. Inside, the deepest is
-// only a lower bound of the depth, and at the creases of the bifurcations λ goes to 0, so that neither is claimed.
+// A union of convex sets. Outside, the distance to the nearest set is the distance to the union. Inside, the largest
+// depth in one set is only a lower bound of the depth in the union, and λ goes to 0 at the creases of the bifurcations;
+// so the phantom states neither.
 Phantom vessel_tree_phantom() {
   Phantom p;
   p.name = "vessel-tree";

@@ -1,4 +1,4 @@
-// What is particular to the phantoms that are close to themselves; phantoms_test.cpp has what holds for all.
+// Tests of the phantoms whose parts come close to each other. phantoms_test.cpp tests what holds for all phantoms.
 #include <gtest/gtest.h>
 
 #include "isobench/datasets/isosurface.h"
@@ -36,7 +36,7 @@ TEST(ThinSheets, FeatureSizeIsHalfOfWhatIsThinner) {
       EXPECT_NEAR(p.feature_size({x, 0.0, 0.5 * gap}), 0.5 * std::min(thickness, gap), 1e-12);
       EXPECT_NEAR(p.feature_size({x, 0.0, -0.5 * gap - thickness}), 0.5 * thickness, 1e-12);
     }
-    // On the rim the plane between the plates is farther away the higher one is.
+    // Points on the rim lie farther from the plane between the plates.
     EXPECT_NEAR(p.feature_size({18.0 + 0.5 * thickness, 0.0, 0.5 * (gap + thickness)}), 0.5 * thickness, 1e-12);
     EXPECT_EQ(p.smallest_feature, 0.5 * std::min(thickness, gap));
   }
@@ -49,13 +49,13 @@ TEST(NearSpheres, FeatureSizeFallsToHalfTheGap) {
   EXPECT_NEAR(p.feature_size({10.45, 10.0, 0.0}), 10.0, 1e-12);
 }
 
-// |z − z0| − g/2 on a lattice of unit spacing, the middle of the gap at every place between two nodes.
+// F = |z − z0| − g/2 on a lattice of spacing 1; z0, the middle of the gap, moves from one node to the next.
 TEST(PhantomGap, TheSplineKeepsItOpenAboveThirteenTwelfthsOfAVoxel) {
   const double gap = 2.0;
   double highest = -1.0;
   for (int tenth = 0; tenth <= 10; ++tenth) {
     const double middle = 6.0 + 0.1 * tenth;
-    Volume v;
+    FloatVolume v;
     v.lattice.size = {4, 4, 14};
     for (int k = 0; k < 14; ++k) {
       v.samples.insert(v.samples.end(), 16, static_cast<float>(std::abs(k - middle) - 0.5 * gap));

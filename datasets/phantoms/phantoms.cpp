@@ -18,8 +18,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-// Offsets of convex sets (sphere, slab, capsule, rounded box) have no outer medial axis. The inner one of an offset of
-// a point, a disc or a segment is that set; area and volume are Steiner's formula.
+// Sphere, slab, capsule and rounded box are offsets of convex sets: everything within some distance of the set. They
+// have no outer medial axis. If the set is a point, a disc or a segment, it is the inner medial axis. Area and volume
+// follow from Steiner's formula.
 
 Phantom sphere() {
   constexpr double r = 20.0;
@@ -34,8 +35,9 @@ Phantom sphere() {
   return p;
 }
 
-/// Inner axis: the core circle. Outer axis: the axis of rotation, from which all of the core is equally far. On the
-/// surface they are r and R + r cos v away; the second is smaller on the inner rim (R < 2r).
+/// The inner medial axis is the core circle, at distance r from the surface. The outer one is the axis of rotation, all
+/// of whose points are equally far from the core; its distance from the surface is R + r cos v, which is below r on the
+/// inner rim because R < 2r.
 Phantom torus() {
   constexpr double core = 14.0;
   constexpr double tube = 8.0;
@@ -52,8 +54,9 @@ Phantom torus() {
   return p;
 }
 
-/// A ball that touches at (x, y, ±z) has its centre at (x(1 − c²/a²), y(1 − c²/b²), 0), so the inner axis is the filled
-/// ellipse with semi-axes (a² − c²)/a and (b² − c²)/b in the plane z = 0. The area is Legendre's.
+/// A ball that touches the surface at (x, y, ±z) has its centre at (x(1 − c²/a²), y(1 − c²/b²), 0). So the inner medial
+/// axis is the filled ellipse with semi-axes (a² − c²)/a and (b² − c²)/b in the plane z = 0. The area is Legendre's
+/// formula.
 Phantom ellipsoid() {
   constexpr double a = 24.0;
   constexpr double b = 16.0;
@@ -82,7 +85,8 @@ Phantom ellipsoid() {
   return p;
 }
 
-/// Everything within half the thickness of a disc: flat on both sides, its rim a half circle; λ is t/2 everywhere.
+/// Everything within half the thickness of a disc: flat on both sides, with a rim that is half a circle in section. λ
+/// is half the thickness everywhere.
 Phantom slab() {
   constexpr double disc = 20.0;
   constexpr double half = 4.0;
@@ -124,9 +128,10 @@ Phantom capsule() {
   return p;
 }
 
-/// The distance to the medial axis of the box |x_i| ≤ half_i (half[2] smallest). In the positive octant that axis is
-/// the rectangle x_2 = 0 of points at depth half[2], and for every pair of faces the roof over their common edge:
-/// x_i = half_i − m, x_j = half_j − m, 0 ≤ x_k ≤ half_k − m at depth m. The squared distance to a roof is convex in m.
+/// The distance to the medial axis of the box |x_i| ≤ half_i, where half[2] is smallest. In the positive octant the
+/// axis has a rectangle in the plane x_2 = 0, at depth half[2], and a sloping sheet for each pair of faces, which meet
+/// in an edge: x_i = half_i − m, x_j = half_j − m, 0 ≤ x_k ≤ half_k − m at depth m. The squared distance to a sheet is
+/// convex in m.
 double distance_to_box_axis(const Vector3d& half, const Vector3d& x) {
   const Vector3d p = x.cwiseAbs();
   const Vector3d depth = half - p;
@@ -142,9 +147,9 @@ double distance_to_box_axis(const Vector3d& half, const Vector3d& x) {
   return std::sqrt(nearest);
 }
 
-/// A box and everything within ρ of it (Meyer et al. 2007, figure 2). Its medial axis is that of the sharp box inside:
-/// a face point at distance t inside the edge of the flat part is √(ρ² + t²) from it for t ≤ ρ and (ρ + t)/√2 beyond,
-/// at most half the thickness; on edges and corners it is ρ.
+/// A box and everything within ρ of it (Meyer et al. 2007, figure 2). Its medial axis is that of the sharp box. λ on a
+/// face at distance t from the edge of its flat part is √(ρ² + t²) for t ≤ ρ, (ρ + t)/√2 for larger t, and at most half
+/// the thickness; on edges and corners it is ρ.
 Phantom rounded_box() {
   constexpr double rounding = 5.0;
   const Vector3d half(17.0, 12.0, 7.0);
@@ -165,8 +170,8 @@ Phantom rounded_box() {
   return p;
 }
 
-/// One half of space as a gyroid divides it, cut to a ball; the smooth minimum −w log(e^(−a/w) + e^(−b/w)) rounds the
-/// rims and keeps the function smooth everywhere near its zero set.
+/// The part of a ball on one side of a gyroid. The smooth minimum −w log(e^(−a/w) + e^(−b/w)) rounds the rims and makes
+/// the function smooth near its zero set.
 Phantom gyroid_ball() {
   constexpr double r = 24.0;
   const double wave = 2.0 * pi / 22.0;
@@ -178,15 +183,15 @@ Phantom gyroid_ball() {
     const Eigen::Array3d s = (wave * x).array().sin();
     const Eigen::Array3d c = (wave * x).array().cos();
     const double gyroid = s[0] * c[1] + s[1] * c[2] + s[2] * c[0];
-    const double a = gyroid / (1.5 * wave);  // |∇ gyroid| is between 1.2 and 1.7 wave where it is 0
+    const double a = gyroid / (1.5 * wave);  // |∇ gyroid| on its zero set is between 1.2 and 1.7 times `wave`
     const double b = r - x.norm();
     const double least = std::min(a, b);
     return least - width * std::log1p(std::exp(-std::abs(a - b) / width));
   };
   p.exact_distance = false;
   p.half_extent = Vector3d::Constant(r);
-  // Counted from the function's signs on Kuhn's tetrahedra: lattices of 48, 64, 100 and 200 nodes along each axis
-  // agree, and so does the surface of the B-spline (phantoms_test.cpp repeats the count).
+  // Counted from the function's signs on Kuhn's tetrahedra. Lattices of 48, 64, 100 and 200 nodes along each axis
+  // agree, and so does the B-spline's surface; phantoms_test.cpp repeats the count.
   p.euler = -24;
   p.components = 1;
   return p;
@@ -243,7 +248,7 @@ Phantom phantom(const std::string& name, const std::map<std::string, double>& pa
   return usual;
 }
 
-Volume sample_phantom(const Phantom& phantom, int nodes, int margin) {
+FloatVolume sample_phantom(const Phantom& phantom, int nodes, int margin) {
   const int cells = nodes - 2 - 2 * margin;
   if (margin < 0 || cells < 4) {
     throw UsageError(fmt::format(
@@ -252,7 +257,7 @@ Volume sample_phantom(const Phantom& phantom, int nodes, int margin) {
   }
   const Vector3d off_centre(0.29, 0.41, 0.13);  // voxels
   const double spacing = 2.0 * phantom.half_extent.maxCoeff() / cells;
-  Volume volume;
+  FloatVolume volume;
   Lattice& lattice = volume.lattice;
   lattice.spacing = Vector3d::Constant(spacing);
   for (int axis = 0; axis < 3; ++axis) {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <random>
 #include <vector>
 
 #include "isobench/datasets/phantoms/ellipsoid.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/union_find.h"
 
 namespace isobench {
 
@@ -37,7 +37,7 @@ struct SurfacePoint {
   Vector3d inward;
 };
 
-/// Random points on the surface, spread evenly: points of a thin shell of even thickness, projected.
+/// Random points, evenly spread on the surface: points in a thin shell of constant thickness, projected to the surface.
 std::vector<SurfacePoint> surface_points(const Phantom& p, std::size_t count) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -77,10 +77,10 @@ std::vector<Vector3d> medial_centres(const std::vector<SurfacePoint>& samples, d
 }
 
 class EveryPhantom : public testing::TestWithParam<Phantom> {};
-/// Those of which everything is known.
+/// The phantoms of which everything is known.
 class ClosedForm : public testing::TestWithParam<Phantom> {};
 
-/// Those of them whose gaps are wide enough for samples 0.5–0.8 mm apart to find the balls in between.
+/// Those of them whose gaps are wide enough: samples 0.5–0.8 mm apart find the balls that lie in the gaps.
 std::vector<Phantom> widened(std::vector<Phantom> all) {
   for (Phantom& p : all) {
     if (p.name == "thin-sheets") p = phantom(p.name, {{"thickness", 10.0}, {"gap", 8.0}});
@@ -116,7 +116,7 @@ TEST_P(FeatureSizeSlow, IsTheDistanceToTheCentresOfEmptyBalls) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vector3d& c : centres) nearest = std::min(nearest, (c - samples[n].x).norm());
     const double lambda = p.feature_size(samples[n].x);
-    // Samples 0.5–0.8 mm apart leave balls up to spacing²/(2R) too large and axis points up to half a spacing aside.
+    // With samples 0.5–0.8 mm apart, balls may be spacing²/(2R) too large and axis points half a spacing off.
     EXPECT_NEAR(nearest / lambda, 1.0, 0.03) << samples[n].x.transpose();
     mean_error += std::abs(nearest / lambda - 1.0) / 300.0;
   }
@@ -132,7 +132,7 @@ TEST_P(ClosedForm, ExactDistancesHaveUnitGradientsAndReachTheSurface) {
     const Vector3d x = 1.2 * Vector3d(unit(random), unit(random), unit(random)).cwiseProduct(p.half_extent);
     const double distance = p.function(x);
     const Vector3d g = gradient(p, x);
-    // On the medial axis the distance has a crease; a central difference across it comes out shorter.
+    // The distance has a crease on the medial axis; a central difference across it is too short.
     if (p.feature_size(x) < 1e-3) continue;
     ++tried;
     EXPECT_NEAR(g.norm(), 1.0, 1e-6) << x.transpose();
@@ -150,13 +150,14 @@ TEST_P(EveryPhantom, LiesWithinItsHalfExtentAndTouchesIt) {
   }
 }
 
-/// Volume and area by sampling a fine lattice; the area as the volume of the shell |f| < w over 2w. Steps are softened
-/// over one voxel, because the flat faces lie along the lattice and would be counted by whole layers.
+/// Volume and area from samples on a fine lattice. The area is the volume of the shell |f| < w divided by 2w. The steps
+/// at the shell's borders are softened over one voxel: the flat faces are parallel to the lattice, and a sharp step
+/// would count whole layers of nodes.
 TEST_P(ClosedForm, AreaAndVolumeAgreeWithSampling) {
   const Phantom& p = GetParam();
-  // Within the reach of the medial axis, where Steiner's formula holds.
+  // The shell must not reach the medial axis; else Steiner's formula does not hold.
   const double width = std::min(1.5, 0.6 * p.smallest_feature.value_or(4.0));
-  const Volume v = sample_phantom(p, 160, 12);
+  const FloatVolume v = sample_phantom(p, 160, 12);
   const double cell = v.lattice.spacing.prod();
   const double voxel = v.lattice.spacing[0];
   const auto step = [&](double f) { return std::clamp(0.5 + f / voxel, 0.0, 1.0); };
@@ -166,9 +167,9 @@ TEST_P(ClosedForm, AreaAndVolumeAgreeWithSampling) {
     volume += cell * step(f);
     shell += cell * (step(f + width) - step(f - width));
   }
-  // Softening adds voxel²/24 ∫(κ1 + κ2), 3e-4 of the two spheres.
+  // Softening adds voxel²/24 ∫(κ1 + κ2), for the two spheres 3e-4 of the volume.
   EXPECT_NEAR(volume / *p.volume, 1.0, 0.001);
-  // Steiner: the shell is 2wA + (2/3)w³∫k1 k2, and Gauss and Bonnet know the integral: 2πχ.
+  // Steiner: the shell's volume is 2wA + (2/3)w³∫k1 k2. Gauss and Bonnet: the integral is 2πχ.
   const double bend = 2.0 / 3.0 * width * width * width * 2.0 * std::numbers::pi * p.euler;
   EXPECT_NEAR((shell - bend) / (2.0 * width) / *p.area, 1.0, 0.001);
 }
@@ -180,14 +181,9 @@ struct Topology {
   long components = 0;
 };
 
-Topology kuhn_topology(const Volume& v) {
+Topology kuhn_topology(const FloatVolume& v) {
   const auto& size = v.lattice.size;
-  std::vector<std::uint32_t> parent(v.samples.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
+  UnionFind regions(v.samples.size());
   const auto mixed = [](std::initializer_list<bool> signs) {
     return std::any_of(signs.begin(), signs.end(), [&](bool s) { return s != *signs.begin(); });
   };
@@ -206,7 +202,7 @@ Topology kuhn_topology(const Volume& v) {
           if (sign(0) != sign(a)) {
             ++result.euler;
           } else {
-            parent[root(static_cast<std::uint32_t>(index(a)))] = root(static_cast<std::uint32_t>(index(0)));
+            regions.unite(static_cast<std::uint32_t>(index(a)), static_cast<std::uint32_t>(index(0)));
           }
           for (int b = a + 1; b < 8; ++b) {
             if ((a & b) != a || !exists(b)) continue;
@@ -217,7 +213,7 @@ Topology kuhn_topology(const Volume& v) {
       }
     }
   }
-  for (std::uint32_t n = 0; n < parent.size(); ++n) result.components += parent[n] == n;
+  for (std::uint32_t n = 0; n < v.samples.size(); ++n) result.components += regions.is_root(n) ? 1 : 0;
   --result.components;
   return result;
 }
@@ -233,7 +229,7 @@ TEST_P(EveryPhantom, TopologyAgreesWithAnIndependentCount) {
 
 TEST_P(EveryPhantom, IsSampledInItsOwnCoordinatesWithItsMargin) {
   const Phantom& p = GetParam();
-  const Volume v = sample_phantom(p, 40, 4);
+  const FloatVolume v = sample_phantom(p, 40, 4);
   const Lattice& l = v.lattice;
   EXPECT_EQ(*std::max_element(l.size.begin(), l.size.end()), 40);
   EXPECT_EQ(v.samples.size(), l.nodes());

@@ -13,9 +13,9 @@ using Eigen::Vector3d;
 constexpr int generations = 3;
 constexpr double trunk_radius = 4.0;
 constexpr double length_over_radius = 5.0;
-constexpr double share = 0.6;  // of the flow, which goes with r³, that the larger branch takes
+constexpr double share = 0.6;  // of the flow, proportional to r³, that the larger branch takes
 
-/// Where a segment points, and the direction across it in which its own branches part.
+/// A segment's direction, and the direction across it along which its branches separate.
 struct Heading {
   Vector3d along;
   Vector3d across;
@@ -23,7 +23,7 @@ struct Heading {
 
 Heading branch_off(const Heading& parent, double angle) {
   const Vector3d along = std::cos(angle) * parent.along + std::sin(angle) * parent.across;
-  return {along, parent.along.cross(parent.across)};  // at right angles to the plane of this branching
+  return {along, parent.along.cross(parent.across)};  // perpendicular to the plane of this branching
 }
 
 /// Murray's angle of a branch of radius r1 beside one of radius r2, from a parent of radius r0.
@@ -77,8 +77,9 @@ const std::vector<VesselSegment>& vessel_tree() {
   return tree;
 }
 
-// The depth is concave in t, so the best ball is the stationary one, moved to the nearer end where it lies beyond: with
-// y along the axis, ρ across it and s = (radius_from − radius_to)/length, it is y − ρ s/√(1 − s²) along.
+// The depth is concave in t, so its maximum is at the stationary point, or at the nearer end if that point lies beyond
+// it. For a point y along the axis and ρ across it, and s = (radius_from − radius_to)/length, the stationary point is
+// y − ρ s/√(1 − s²) along the axis.
 double depth_in(const VesselSegment& segment, const Vector3d& x) {
   const Vector3d axis = segment.to - segment.from;
   const double length = axis.norm();

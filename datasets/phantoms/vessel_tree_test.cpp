@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 const std::vector<VesselSegment>& tree = vessel_tree();
 
-/// The segments that grow from one.
+/// The segments that grow from this one.
 std::vector<const VesselSegment*> branches_of(std::size_t parent) {
   std::vector<const VesselSegment*> found;
   for (const VesselSegment& s : tree) {
@@ -44,14 +44,14 @@ TEST(VesselTree, BranchesThreeTimesByMurraysLaw) {
       pull += s->radius_to * s->radius_to * (s->to - s->from).normalized();
     }
     EXPECT_NEAR(flow, std::pow(r0, 3), 1e-9);
-    // Murray's angles say that the branching point is where the cost of volume (r² a length) balances.
+    // With Murray's angles the branching point is in equilibrium: the pulls along the segments, each r², cancel.
     EXPECT_LT((pull - r0 * r0 * (tree[n].to - tree[n].from).normalized()).norm(), 1e-9);
   }
   EXPECT_EQ(tips, 8);
   EXPECT_NEAR(*phantom("vessel-tree").smallest_radius, 1.6, 1e-12);
 }
 
-// A tree of balls is contractible as long as no branch comes back to another: one piece without a tunnel, χ = 2.
+// If no branch touches another one, the tree is contractible, in one piece and without tunnels, and χ is 2.
 TEST(VesselTree, BranchesMeetNowhereElse) {
   for (std::size_t n = 0; n < tree.size(); ++n) {
     for (std::size_t m = 0; m < n; ++m) {
@@ -59,7 +59,7 @@ TEST(VesselTree, BranchesMeetNowhereElse) {
       for (double t = 0.0; t <= 1.0; t += 1.0 / 256.0) {
         const Vector3d centre = tree[n].from + t * (tree[n].to - tree[n].from);
         const double radius = tree[n].radius_from + t * (tree[n].radius_to - tree[n].radius_from);
-        // Three voxels even on a lattice of 48 nodes.
+        // 5 mm: three voxels of a lattice of 48 nodes.
         EXPECT_GT(-depth_in(tree[m], centre) - radius, 5.0) << n << " and " << m;
       }
     }
@@ -83,7 +83,7 @@ TEST(VesselTree, OutsideItIsTheDistanceToTheNearestBall) {
         nearest = std::min(nearest, (x - s.from - t * (s.to - s.from)).norm() - radius);
       }
     }
-    // Centres 0.01 mm apart miss the nearest by (0.005 mm)²/2 over the distance to it, at least 1.6 mm.
+    // With centres 0.01 mm apart the error is (0.005 mm)²/2 divided by the distance to the nearest, at least 1.6 mm.
     EXPECT_NEAR(-p.function(x), nearest, 1e-5) << x.transpose();
   }
 }

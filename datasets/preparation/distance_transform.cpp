@@ -14,14 +14,14 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The lower envelope of parabolas (x − x_q)² + height_q over the nodes of one row.
+/// The lower envelope of the parabolas (x − x_q)² + height_q of the nodes q of one row.
 class Envelope {
  public:
   explicit Envelope(std::size_t nodes) : nodes_(nodes), heights_(nodes), from_(nodes) {}
 
   void clear() { count_ = 0; }
 
-  /// Nodes in ascending order. Positions are in mm, exact in double for every lattice that fits into memory.
+  /// Precondition: nodes come in ascending order. Positions are in mm.
   void add(std::size_t node, double position, double height) {
     double from = -std::numeric_limits<double>::infinity();
     while (count_ > 0) {
@@ -39,7 +39,7 @@ class Envelope {
 
   bool empty() const { return count_ == 0; }
   void rewind() { current_ = 0; }
-  /// For ascending x between rewind()s.
+  /// The envelope's height at x. Precondition: x does not decrease between two calls of rewind().
   double at(double x) {
     while (current_ + 1 < count_ && from_[current_ + 1] < x) ++current_;
     const double distance = x - positions_at(current_);
@@ -58,8 +58,9 @@ class Envelope {
   double spacing_ = 1.0;
 };
 
-/// One row of signed squared distances: those inside (> 0) to the nearest node outside, and the other way round. A node
-/// on the other side is at distance 0 from itself, so both transforms share the array.
+/// One row of signed squared distances: of a node inside (> 0) to the nearest node outside, of a node outside (< 0) to
+/// the nearest node inside. For each of the two transforms the nodes of the other side have distance 0, so that both
+/// share the array.
 void transform_row(float* row, std::size_t count, std::size_t stride, double spacing, Envelope& envelope) {
   for (const float sign : {1.0F, -1.0F}) {
     envelope.clear();
@@ -76,8 +77,8 @@ void transform_row(float* row, std::size_t count, std::size_t stride, double spa
   }
 }
 
-/// Along one axis, all rows; sheets of rows are independent of each other.
-void transform_axis(Volume& volume, int axis) {
+/// All rows along one axis. Sheets of rows do not depend on each other.
+void transform_axis(FloatVolume& volume, int axis) {
   const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
   const auto ny = static_cast<std::size_t>(volume.lattice.size[1]);
   const auto nz = static_cast<std::size_t>(volume.lattice.size[2]);
@@ -100,23 +101,29 @@ void transform_axis(Volume& volume, int axis) {
 
 }  // namespace
 
-void signed_distance(Volume& volume, Monitor& monitor) {
-  std::vector<float>& samples = volume.samples;
-  const auto inside = std::count_if(samples.begin(), samples.end(), [](float sample) { return sample > 0.0F; });
+FloatVolume signed_distance(Volume volume, Monitor& monitor) {
+  FloatVolume result{std::move(volume.lattice), {}};
+  std::vector<float>& squared = result.samples;
+  volume.samples.visit([&](const auto& samples) {
+    squared.reserve(samples.size());
+    for (const auto sample : samples) squared.push_back(sample > 0 ? infinity : -infinity);
+  });
+  volume.samples = Samples();  // not needed any more
+  const auto inside = std::count(squared.begin(), squared.end(), infinity);
   if (inside == 0) throw DataError("signed distance: no sample is > 0; select or threshold an object first");
-  if (static_cast<std::size_t>(inside) == samples.size()) {
+  if (static_cast<std::size_t>(inside) == squared.size()) {
     throw DataError("signed distance: every sample is > 0, there is no outside; pad the volume first");
   }
-  for (float& sample : samples) sample = sample > 0.0F ? infinity : -infinity;
   for (int axis = 0; axis < 3; ++axis) {
     monitor.progress(axis / 3.0);
-    transform_axis(volume, axis);
+    transform_axis(result, axis);
   }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), 65536), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, squared.size(), 65536), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
-      samples[n] = std::copysign(std::sqrt(std::abs(samples[n])), samples[n]);
+      squared[n] = std::copysign(std::sqrt(std::abs(squared[n])), squared[n]);
     }
   });
+  return result;
 }
 
 }  // namespace isobench

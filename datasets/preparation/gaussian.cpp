@@ -10,10 +10,10 @@ namespace isobench {
 
 namespace {
 
-/// Weights at 0, 1, …, radius, normalised so that the whole kernel sums to 1.
+/// The weights at 0, 1, …, radius. The whole kernel, both sides, sums to 1.
 std::vector<float> half_kernel(double sigma) {
   const int radius = static_cast<int>(std::lround(4.0 * sigma));
-  if (radius == 0) return {1.0F};  // also where the square of sigma would be 0
+  if (radius == 0) return {1.0F};  // here, too, if the square of sigma would be 0
   std::vector<double> weights(static_cast<std::size_t>(radius) + 1);
   double sum = 0.0;
   for (int t = 0; t <= radius; ++t) {
@@ -25,8 +25,8 @@ std::vector<float> half_kernel(double sigma) {
   return kernel;
 }
 
-/// Rows along x: each is copied with its border repeated, then filtered back into place.
-void filter_x(Volume& volume, const std::vector<float>& kernel) {
+/// Along x: copies each row, repeats its ends in the copy, and filters the copy into the row.
+void filter_x(FloatVolume& volume, const std::vector<float>& kernel) {
   const auto count = static_cast<std::size_t>(volume.lattice.size[0]);
   const std::size_t rows = volume.samples.size() / count;
   const std::size_t radius = kernel.size() - 1;
@@ -46,8 +46,8 @@ void filter_x(Volume& volume, const std::vector<float>& kernel) {
   });
 }
 
-/// Along y or z: sheets of `count` x-rows are copied and filtered back, a whole row at a time.
-void filter_sheets(Volume& volume, int axis, const std::vector<float>& kernel) {
+/// Along y or z: copies each sheet of `count` rows and filters the copy into the sheet, a whole row at a time.
+void filter_sheets(FloatVolume& volume, int axis, const std::vector<float>& kernel) {
   const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
   const auto ny = static_cast<std::size_t>(volume.lattice.size[1]);
   const auto nz = static_cast<std::size_t>(volume.lattice.size[2]);
@@ -75,7 +75,7 @@ void filter_sheets(Volume& volume, int axis, const std::vector<float>& kernel) {
 
 }  // namespace
 
-void gaussian(Volume& volume, const Eigen::Vector3d& sigma, Monitor& monitor) {
+void gaussian(FloatVolume& volume, const Eigen::Vector3d& sigma, Monitor& monitor) {
   for (int axis = 0; axis < 3; ++axis) {
     monitor.progress(axis / 3.0);
     if (sigma[axis] <= 0.0) continue;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "isobench/datasets/preparation/prepare_steps.h"
 #include "isobench/foundation/error.h"
@@ -16,47 +16,29 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
-// C++20 deduces this by itself; clang learnt to in its version 17.
+// C++20 needs no such guide, but clang before version 17 does.
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
 std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
-/// Every sample becomes 1 where `selected`, else 0; throws `nothing` if none is.
-template <class Selected>
-void select(Volume& volume, Selected selected, const std::string& nothing) {
-  bool any = false;
-  const Range range = sample_range(volume);
-  for (float& sample : volume.samples) {
-    const bool keep = selected(sample);
-    any = any || keep;
-    sample = keep ? 1.0F : 0.0F;
-  }
-  if (!any) throw DataError(fmt::format("{}: the samples lie in [{}, {}]", nothing, range.min, range.max));
-}
-
 void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
+  const auto floats = [&] { return as_float(std::move(volume)); };
   std::visit(Overloaded{
-                 [&](const Threshold& s) {
-                   select(
-                       volume, [&](float sample) { return sample >= s.at; },
-                       fmt::format("threshold: no sample reaches {}", s.at));
-                 },
-                 [&](const SelectLabels& s) {
-                   const auto is_label = [&](float sample) {
-                     return std::any_of(s.labels.begin(), s.labels.end(),
-                                        [&](int label) { return sample == static_cast<float>(label); });
-                   };
-                   select(volume, is_label, fmt::format("labels: no sample is one of {}", fmt::join(s.labels, ", ")));
-                 },
+                 [&](const Threshold& s) { threshold(volume, s.at); },
+                 [&](const SelectLabels& s) { select_labels(volume, s.labels); },
                  [&](const LargestComponent&) { keep_largest_component(volume); },
                  [&](const Crop& s) { crop(volume, s.margin); },
-                 [&](const Pad& s) { pad(volume, s.voxels, static_cast<float>(s.value)); },
-                 [&](const Resample& s) { resample(volume, s.spacing); },
-                 [&](const SignedDistance&) { signed_distance(volume, monitor); },
-                 [&](const Gaussian& s) { gaussian(volume, s.sigma, monitor); },
+                 [&](const Pad& s) { pad(volume, s.voxels, s.value); },
+                 [&](const Resample& s) { volume = resample(floats(), s.spacing); },
+                 [&](const SignedDistance&) { volume = signed_distance(std::move(volume), monitor); },
+                 [&](const Gaussian& s) {
+                   FloatVolume smooth = floats();
+                   gaussian(smooth, s.sigma, monitor);
+                   volume = std::move(smooth);
+                 },
                  [&](const CloseBorder& s) { close_border(volume, s); },
-                 [&](const Subsample& s) { subsample(volume, s.factor); },
+                 [&](const Subsample& s) { volume = subsample(floats(), s.factor); },
              },
              step);
 }

@@ -1,8 +1,9 @@
-// Preparing a volume: the steps that a manifest chains. Each is a free function on volumes; lengths of sigma and
-// padding are in voxels because the preparation is of samples, distances in mm.
+// Preparing a volume: the steps that a manifest chains. Sigma and padding are in voxels, because they are about
+// samples; distances are in mm.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,47 +13,51 @@
 
 namespace isobench {
 
-/// 1 where sample ≥ at, else 0.
+/// 1 where sample ≥ at, else 0. Integer samples are compared exactly, whatever their size.
 struct Threshold {
   double at = 0.5;
 };
-/// 1 where the sample is one of the labels, else 0.
+/// 1 where the sample is one of the labels, else 0. Samples and labels are compared exactly, as integers of up to 64
+/// bits.
 struct SelectLabels {
-  std::vector<int> labels;
+  std::vector<std::int64_t> labels;
 };
-/// Of the nodes > 0, 26-connected; the others become 0.
+/// Keeps the largest component of the nodes > 0, where the 26 nodes around a node are its neighbours; all other nodes
+/// become 0.
 struct LargestComponent {};
-/// To the bounding box of the nodes > 0 and a margin around it, as far as the volume reaches; the origin moves along.
+/// Cuts the volume to the bounding box of the nodes > 0 and a margin around it, as far as the volume reaches.
 struct Crop {
   int margin = 0;  ///< voxels
 };
-/// Constant layers all round; the origin moves along.
+/// Adds layers of one value on all sides.
 struct Pad {
   int voxels = 4;
   double value = 0.0;
 };
-/// Linear, to the spacing (mm) nearest to this with which the first and the last node keep their places.
+/// Interpolates linearly at the spacing (mm) that is nearest to this one and keeps the first and the last node in
+/// place.
 struct Resample {
   Eigen::Vector3d spacing;
 };
-/// Exact Euclidean distance in mm from each node > 0 to the nearest node that is not (positive), and the other way
-/// round (negative). From node to node: there is no 0, neighbours across the border have ± their spacing, and the
-/// border lies half a voxel from both.
+/// The exact Euclidean distance in mm from each node > 0 to the nearest other node (positive), and from each other node
+/// to the nearest node > 0 (negative). Distances are from node to node: no sample is 0, neighbours on two sides of the
+/// border have ± their spacing, and the border lies half a voxel from both.
 struct SignedDistance {};
-/// Sigma in voxels along each axis, truncated at 4 sigma; beyond the border the outermost samples are repeated.
+/// Smooths with a Gaussian, truncated at 4 sigma. The outermost samples are repeated beyond the border.
 struct Gaussian {
-  Eigen::Vector3d sigma;
+  Eigen::Vector3d sigma;  ///< voxels along each axis
 };
-/// Makes the outermost layers outside the object, so that no surface leaves the volume. They become the volume's
-/// minimum or, with `use_minimum` false, are clamped to at most `value`; with `object_below` maximum and at least
-/// `value`.
+/// Puts the outermost layers outside the object, so that the surface does not leave the volume. With `use_minimum` they
+/// become the volume's minimum; without it they become at most `value`. For an object below the isovalue, maximum and
+/// "at least" take the place of minimum and "at most".
 struct CloseBorder {
   double value = 0.0;
   bool use_minimum = true;
   int layers = 2;
   bool object_below = false;
 };
-/// The mean of each block of factor³ nodes, placed at its middle; what is left over at the far ends is dropped.
+/// The mean of each block of factor³ nodes, placed at the block's middle. Nodes that do not fill a block at the far
+/// ends are dropped.
 struct Subsample {
   int factor = 2;
 };
@@ -62,9 +67,12 @@ using PrepareStep = std::variant<Threshold, SelectLabels, LargestComponent, Crop
 /// One line for a log or a record, e.g. "gaussian sigma = (1.5, 1.5, 1.5) voxels".
 std::string describe(const PrepareStep& step);
 
-/// Applies the steps in order, in place where the size stays. Throws DataError where a step leaves nothing (an empty
-/// crop, a threshold nothing reaches) or cannot be done (a distance in a volume that is all inside). Cost: linear in
-/// the nodes for every step; all are threaded except those of microseconds a slice.
+/// Applies the steps in order; nodes keep their place in the world. Threshold and SelectLabels give bytes. Resample,
+/// SignedDistance, Gaussian and Subsample give floats. The other steps keep the type of the samples, unless a value
+/// that they are to set is not of that type: then it becomes RealOf the type. Throws DataError if a step leaves nothing
+/// (an empty crop, a threshold that no sample reaches) or cannot be done (a distance in a volume that is all inside).
+/// Time: linear in the nodes for every step. Memory: at most the samples before and after one step. Resample,
+/// SignedDistance, Gaussian and Subsample are threaded and give the same bits with any number of threads.
 Volume prepare(Volume volume, const std::vector<PrepareStep>& steps, Monitor& monitor);
 
 }  // namespace isobench

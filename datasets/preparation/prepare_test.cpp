@@ -12,8 +12,8 @@
 namespace isobench {
 namespace {
 
-Volume make_volume(const std::array<int, 3>& size, const Eigen::Vector3d& spacing = Eigen::Vector3d::Ones()) {
-  Volume volume;
+FloatVolume make_volume(const std::array<int, 3>& size, const Eigen::Vector3d& spacing = Eigen::Vector3d::Ones()) {
+  FloatVolume volume;
   volume.lattice.size = size;
   volume.lattice.spacing = spacing;
   volume.lattice.origin = {5.0, -3.0, 11.0};
@@ -22,17 +22,17 @@ Volume make_volume(const std::array<int, 3>& size, const Eigen::Vector3d& spacin
   return volume;
 }
 
-Volume random_binary(const std::array<int, 3>& size, const Eigen::Vector3d& spacing, double share) {
-  Volume volume = make_volume(size, spacing);
+FloatVolume random_binary(const std::array<int, 3>& size, const Eigen::Vector3d& spacing, double share) {
+  FloatVolume volume = make_volume(size, spacing);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (float& sample : volume.samples) sample = uniform(random) < share ? 1.0F : 0.0F;
   return volume;
 }
 
-Volume apply(Volume volume, const PrepareStep& step) {
+FloatVolume apply(FloatVolume volume, const PrepareStep& step) {
   Monitor monitor;
-  return prepare(std::move(volume), {step}, monitor);
+  return as_float(prepare(std::move(volume), {step}, monitor));
 }
 
 template <class Visit>
@@ -48,8 +48,8 @@ Eigen::Vector3d world(const Lattice& lattice, double i, double j, double k) {
   return lattice.to_world(lattice.spacing.cwiseProduct(Eigen::Vector3d(i, j, k)));
 }
 
-/// The distance to the nearest node of the other kind, by looking at all of them.
-double brute_force_distance(const Volume& binary, int i, int j, int k) {
+/// The signed distance to the nearest node on the other side, found by looking at all nodes.
+double brute_force_distance(const FloatVolume& binary, int i, int j, int k) {
   const bool inside = binary.at(i, j, k) > 0.0F;
   double nearest = std::numeric_limits<double>::infinity();
   for_nodes(binary.lattice, [&](int x, int y, int z) {
@@ -61,8 +61,8 @@ double brute_force_distance(const Volume& binary, int i, int j, int k) {
 
 TEST(PrepareSignedDistance, EqualsBruteForceOnAnisotropicLattices) {
   for (const double share : {0.003, 0.1, 0.5, 0.98}) {
-    const Volume binary = random_binary({13, 9, 11}, {0.7, 1.3, 2.9}, share);
-    const Volume distance = apply(binary, SignedDistance{});
+    const FloatVolume binary = random_binary({13, 9, 11}, {0.7, 1.3, 2.9}, share);
+    const FloatVolume distance = apply(binary, SignedDistance{});
     // 1e-5: squared distances pass through single precision twice.
     for_nodes(binary.lattice, [&](int i, int j, int k) {
       EXPECT_NEAR(distance.at(i, j, k), brute_force_distance(binary, i, j, k), 1e-5);
@@ -71,9 +71,9 @@ TEST(PrepareSignedDistance, EqualsBruteForceOnAnisotropicLattices) {
 }
 
 TEST(PrepareSignedDistance, OfAHalfSpaceHasNoZeroAndAJumpOfTwoSpacings) {
-  Volume volume = make_volume({8, 5, 6}, {1.0, 1.0, 3.0});
+  FloatVolume volume = make_volume({8, 5, 6}, {1.0, 1.0, 3.0});
   for_nodes(volume.lattice, [&](int i, int j, int k) { volume.at(i, j, k) = k >= 3 ? 1.0F : 0.0F; });
-  const Volume distance = apply(volume, SignedDistance{});
+  const FloatVolume distance = apply(volume, SignedDistance{});
   for_nodes(volume.lattice, [&](int i, int j, int k) {
     EXPECT_EQ(distance.at(i, j, k), k >= 3 ? 3.0F * static_cast<float>(k - 2) : 3.0F * static_cast<float>(k - 3));
   });
@@ -81,16 +81,16 @@ TEST(PrepareSignedDistance, OfAHalfSpaceHasNoZeroAndAJumpOfTwoSpacings) {
 
 TEST(PrepareSignedDistance, RefusesVolumesWithoutInsideOrOutside) {
   EXPECT_THROW(apply(make_volume({4, 4, 4}), SignedDistance{}), DataError);
-  Volume full = make_volume({4, 4, 4});
+  FloatVolume full = make_volume({4, 4, 4});
   full.samples.assign(full.samples.size(), 1.0F);
   EXPECT_THROW(apply(full, SignedDistance{}), DataError);
 }
 
 TEST(PrepareGaussian, OfAnImpulseIsTheSampledKernelAndKeepsTheSum) {
-  Volume volume = make_volume({41, 31, 27}, {0.5, 1.0, 2.0});
+  FloatVolume volume = make_volume({41, 31, 27}, {0.5, 1.0, 2.0});
   volume.at(20, 15, 13) = 1.0F;
   const Eigen::Vector3d sigma(1.5, 0.8, 1.0);
-  const Volume smooth = apply(volume, Gaussian{sigma});
+  const FloatVolume smooth = apply(volume, Gaussian{sigma});
   double sum = 0.0;
   for (const float sample : smooth.samples) sum += sample;
   EXPECT_NEAR(sum, 1.0, 1e-5);
@@ -107,9 +107,9 @@ TEST(PrepareGaussian, OfAnImpulseIsTheSampledKernelAndKeepsTheSum) {
 }
 
 TEST(PrepareGaussian, RepeatsTheBorder) {
-  Volume volume = make_volume({6, 5, 3});  // thinner than the kernel
+  FloatVolume volume = make_volume({6, 5, 3});  // thinner than the kernel
   for_nodes(volume.lattice, [&](int i, int j, int k) { volume.at(i, j, k) = static_cast<float>(3 * i - j + 7 * k); });
-  const Volume smooth = apply(volume, Gaussian{{1.2, 1.2, 1.2}});
+  const FloatVolume smooth = apply(volume, Gaussian{{1.2, 1.2, 1.2}});
   const int radius = 5;
   double total = 0.0;
   for (int t = -radius; t <= radius; ++t) total += std::exp(-0.5 * t * t / 1.44);
@@ -125,18 +125,18 @@ TEST(PrepareGaussian, RepeatsTheBorder) {
 }
 
 TEST(PrepareLargestComponent, JoinsAcrossCornersAndDropsTheRest) {
-  Volume volume = make_volume({9, 9, 9});
-  // A diagonal chain of 9 nodes that only touch at corners, and a block of 8 that touches nothing.
+  FloatVolume volume = make_volume({9, 9, 9});
+  // A diagonal chain of 9 nodes that touch only at corners, and a separate block of 8 nodes.
   for (int n = 0; n < 9; ++n) volume.at(n, 8 - n, n) = 2.0F;
   for (int n = 0; n < 8; ++n) volume.at(n & 1, n >> 1 & 1, n >> 2) = 1.0F;
-  const Volume largest = apply(volume, LargestComponent{});
+  const FloatVolume largest = apply(volume, LargestComponent{});
   for_nodes(volume.lattice,
             [&](int i, int j, int k) { EXPECT_EQ(largest.at(i, j, k), i == k && j == 8 - i ? 2.0F : 0.0F); });
   EXPECT_THROW(apply(make_volume({3, 3, 3}), LargestComponent{}), DataError);
 }
 
-/// Sizes of the 26-connected components by plain flooding, and the nodes of the largest.
-std::vector<bool> flooded_largest(const Volume& volume) {
+/// The nodes of the largest 26-connected component, found by flooding.
+std::vector<bool> flooded_largest(const FloatVolume& volume) {
   const Lattice& lattice = volume.lattice;
   std::vector<int> label(lattice.nodes(), 0);
   std::vector<int> sizes{0};
@@ -167,27 +167,27 @@ std::vector<bool> flooded_largest(const Volume& volume) {
 
 TEST(PrepareLargestComponent, EqualsFloodingOnRandomNodes) {
   for (const double share : {0.03, 0.06, 0.1, 0.3}) {
-    const Volume volume = random_binary({23, 17, 19}, Eigen::Vector3d::Ones(), share);
+    const FloatVolume volume = random_binary({23, 17, 19}, Eigen::Vector3d::Ones(), share);
     const std::vector<bool> expected = flooded_largest(volume);
-    const Volume largest = apply(volume, LargestComponent{});
+    const FloatVolume largest = apply(volume, LargestComponent{});
     for (std::size_t n = 0; n < expected.size(); ++n) ASSERT_EQ(largest.samples[n] > 0.0F, expected[n]) << share;
   }
 }
 
 TEST(PrepareCropAndPad, KeepEveryNodeAtItsPlaceInTheWorld) {
-  Volume volume = make_volume({12, 10, 8}, {0.5, 1.5, 2.0});
+  FloatVolume volume = make_volume({12, 10, 8}, {0.5, 1.5, 2.0});
   volume.at(3, 4, 2) = 7.0F;
   volume.at(8, 5, 6) = 9.0F;
-  const Volume cropped = apply(volume, Crop{});
+  const FloatVolume cropped = apply(volume, Crop{});
   EXPECT_EQ(cropped.lattice.size, (std::array<int, 3>{6, 2, 5}));
   EXPECT_EQ(cropped.at(0, 0, 0), 7.0F);
   EXPECT_EQ(cropped.at(5, 1, 4), 9.0F);
   EXPECT_LT((world(cropped.lattice, 0, 0, 0) - world(volume.lattice, 3, 4, 2)).norm(), 1e-12);
-  const Volume with_margin = apply(volume, Crop{3});  // the far side in z has only one node left
+  const FloatVolume with_margin = apply(volume, Crop{3});  // the far side in z has only one node left
   EXPECT_EQ(with_margin.lattice.size, (std::array<int, 3>{12, 8, 8}));
   EXPECT_LT((world(with_margin.lattice, 3, 3, 2) - world(volume.lattice, 3, 4, 2)).norm(), 1e-12);
   EXPECT_EQ(with_margin.at(3, 3, 2), 7.0F);
-  const Volume padded = apply(cropped, Pad{4, -1.0});
+  const FloatVolume padded = apply(cropped, Pad{4, -1.0});
   EXPECT_EQ(padded.lattice.size, (std::array<int, 3>{14, 10, 13}));
   EXPECT_EQ(padded.at(4, 4, 4), 7.0F);
   EXPECT_EQ(padded.at(3, 4, 4), -1.0F);
@@ -196,12 +196,12 @@ TEST(PrepareCropAndPad, KeepEveryNodeAtItsPlaceInTheWorld) {
 }
 
 TEST(PrepareResample, IsExactForLinearFunctionsOfTheWorld) {
-  Volume volume = make_volume({7, 6, 5}, {1.0, 2.0, 3.0});
+  FloatVolume volume = make_volume({7, 6, 5}, {1.0, 2.0, 3.0});
   const auto linear = [](const Eigen::Vector3d& x) { return 1.0 + 2.0 * x[0] - 3.0 * x[1] + 0.5 * x[2]; };
   for_nodes(volume.lattice, [&](int i, int j, int k) {
     volume.at(i, j, k) = static_cast<float>(linear(world(volume.lattice, i, j, k)));
   });
-  const Volume fine = apply(volume, Resample{{1.0, 0.9, 1.0}});
+  const FloatVolume fine = apply(volume, Resample{{1.0, 0.9, 1.0}});
   EXPECT_EQ(fine.lattice.size, (std::array<int, 3>{7, 12, 13}));
   EXPECT_NEAR(fine.lattice.spacing[1], 10.0 / 11.0, 1e-12);  // so that the last node stays where it is
   EXPECT_LT((world(fine.lattice, 6, 11, 12) - world(volume.lattice, 6, 5, 4)).norm(), 1e-12);
@@ -210,12 +210,12 @@ TEST(PrepareResample, IsExactForLinearFunctionsOfTheWorld) {
 }
 
 TEST(PrepareSubsample, AveragesBlocksAtTheirMiddle) {
-  Volume volume = make_volume({7, 6, 4}, {1.0, 2.0, 3.0});
+  FloatVolume volume = make_volume({7, 6, 4}, {1.0, 2.0, 3.0});
   const auto linear = [](const Eigen::Vector3d& x) { return 1.0 + 2.0 * x[0] - 3.0 * x[1] + 0.5 * x[2]; };
   for_nodes(volume.lattice, [&](int i, int j, int k) {
     volume.at(i, j, k) = static_cast<float>(linear(world(volume.lattice, i, j, k)));
   });
-  const Volume coarse = apply(volume, Subsample{2});
+  const FloatVolume coarse = apply(volume, Subsample{2});
   EXPECT_EQ(coarse.lattice.size, (std::array<int, 3>{3, 3, 2}));
   // The mean of a linear function over a block is its value at the block's middle.
   for_nodes(coarse.lattice, [&](int i, int j, int k) {
@@ -225,10 +225,10 @@ TEST(PrepareSubsample, AveragesBlocksAtTheirMiddle) {
 }
 
 TEST(PrepareCloseBorder, SetsOrClampsTheOutermostLayersOnly) {
-  Volume volume = make_volume({9, 8, 7});
+  FloatVolume volume = make_volume({9, 8, 7});
   for_nodes(volume.lattice, [&](int i, int j, int k) { volume.at(i, j, k) = static_cast<float>(i + j + k); });
   const auto check = [&](const CloseBorder& step, auto expected) {
-    const Volume closed = apply(volume, step);
+    const FloatVolume closed = apply(volume, step);
     for_nodes(volume.lattice, [&](int i, int j, int k) {
       const bool border = i < 2 || j < 2 || k < 2 || i >= 7 || j >= 6 || k >= 5;
       const float before = volume.at(i, j, k);
@@ -243,7 +243,7 @@ TEST(PrepareCloseBorder, SetsOrClampsTheOutermostLayersOnly) {
 }
 
 TEST(PrepareSelect, ThresholdAndLabelsMakeBinaryVolumes) {
-  Volume volume = make_volume({5, 1, 1});
+  FloatVolume volume = make_volume({5, 1, 1});
   volume.samples = {0.0F, 1.0F, 2.0F, 3.0F, 0.5F};
   EXPECT_EQ(apply(volume, Threshold{0.5}).samples, (std::vector<float>{0, 1, 1, 1, 1}));
   EXPECT_EQ(apply(volume, SelectLabels{{1, 3}}).samples, (std::vector<float>{0, 1, 0, 1, 0}));
@@ -257,7 +257,7 @@ TEST(PrepareSelect, ThresholdAndLabelsMakeBinaryVolumes) {
 }
 
 TEST(Prepare, GivesTheSameBitsWithAnyNumberOfThreads) {
-  const Volume volume = random_binary({40, 33, 29}, {0.7, 1.0, 1.4}, 0.4);
+  const FloatVolume volume = random_binary({40, 33, 29}, {0.7, 1.0, 1.4}, 0.4);
   const std::vector<PrepareStep> steps = {
       LargestComponent{},        Crop{},       Pad{3},       SignedDistance{}, Resample{{0.5, 0.5, 0.5}},
       Gaussian{{1.0, 1.0, 1.0}}, Subsample{2}, CloseBorder{}};
@@ -265,7 +265,7 @@ TEST(Prepare, GivesTheSameBitsWithAnyNumberOfThreads) {
   for (const std::size_t threads : {1U, 2U, 4U}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     Monitor monitor;
-    const Volume prepared = prepare(volume, steps, monitor);
+    const FloatVolume prepared = as_float(prepare(volume, steps, monitor));
     if (first.empty()) first = prepared.samples;
     EXPECT_EQ(prepared.samples, first) << threads;
     EXPECT_GT(monitor.seconds("prepare/signed-distance"), 0.0);
@@ -295,7 +295,7 @@ TEST(Prepare, DescribesEveryStepInALine) {
 }
 
 TEST(PrepareBadInput, StepsThatAskForTheImpossible) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {4, 4, 4};
   volume.samples.assign(64, 1.0F);
   Monitor monitor;

@@ -1,4 +1,4 @@
-// An experiment on a Slurm cluster comes out as it does on one machine, whatever happens to tasks and nodes.
+// An experiment on a Slurm cluster gives the results of one machine, whatever happens to tasks and nodes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The records of a results folder by run, and no run twice.
+/// The records of a results folder by run.
 std::map<std::string, RunRecord> records(const fs::path& folder) {
   std::map<std::string, RunRecord> all;
   for (RunRecord& record : load_results(folder).records) all[record.request.run] = std::move(record);
@@ -26,7 +26,7 @@ std::set<std::string> hosts(const fs::path& folder) {
   return names;
 }
 
-// Far above what anything here takes, however busy the machine is.
+// Far more than anything here takes on a busy machine.
 constexpr std::chrono::minutes patience(10);
 
 class ClusterSlow : public testing::Test {
@@ -74,12 +74,12 @@ class ClusterFaultsSlow : public ClusterSlow {
  protected:
   fs::path results() const { return folder.path() / "results/faults"; }
   std::string status() const { return call({"status", "results/faults"}).out; }
-  /// Waits until `status` says so.
+  /// Waits until the verb `status` prints these words.
   void become(const std::string& words) const {
     EXPECT_TRUE(eventually([&] { return status().find(words) != std::string::npos; }, patience))
         << words << ": " << status();
   }
-  /// Submits what is to be done, for cells with these faults.
+  /// Submits the cells that are not done, with these faults.
   void submit_with(const std::string& faults, const std::vector<std::string>& more, const std::string& words) const {
     std::vector<std::string> arguments = {"submit", "faults.toml"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -95,30 +95,31 @@ class ClusterFaultsSlow : public ClusterSlow {
   }
 };
 
-/// Ten cells; one never ends by itself, one is beyond its time and one takes memory without end.
+/// Of ten cells one never ends, one exceeds its limit of time and one its limit of memory.
 TEST_F(ClusterFaultsSlow, LosesNothingWhenTasksAndNodesFail) {
   folder.write("faults.toml",
                "title = \"Faults\"\ndataset = [\"sphere\", \"torus\"]\nseed = [1, 2, 3, 4, 5]\n[sampling]\n"
                "edge_length = 4\n[[method]]\nname = \"particles\"\n[limits]\nminutes = 5\nmemory_gb = 1\n"
                "[[override]]\ndataset = \"torus\"\nlimits = { minutes = 0.5 }\n");
   submit_with("hang:*-s2-*;memory:sphere-particles-*-s3-*", {"--chunk", "1"}, "submitted 10 of 10 cells in 10 tasks");
-  // All but the sphere that hangs come to an end; that one is seen at work, with its task.
+  // All end except the sphere that hangs; `status` shows it running, with its task.
   become("7 done, 1 running, 1 timeout, 1 out of memory");
   run_command({"scancel", word_after(status(), ", job ")});
   ASSERT_TRUE(Cluster::drained()) << run_command({"squeue"}).out;
   become("7 done, 1 timeout, 1 out of memory, 1 missing");
   const auto before = records(results());
 
-  // Slurm's own limit is the shorter one: a signal first, upon which the cell is dropped. Slurm looks every half minute
-  // and sends it up to that much early: of a task of one minute it could come while the program starts.
+  // The limit of Slurm is the shorter one. Slurm first sends a signal, and the program drops its cell. Slurm checks
+  // every half minute and may be so much early: with a limit of one minute the signal could come while the program
+  // starts.
   submit_with("hang:sphere-particles-*-s2-*", {"--chunk", "1", "--", "--time=2"}, "submitted 3 of 10 cells");
   ASSERT_TRUE(Cluster::drained()) << run_command({"squeue"}).out;
   EXPECT_EQ(count_starting(results(), "sphere-particles-l4-s2-"), 0U);
-  const std::string log = text_of(results() / ".slurm/0002-0.log");
+  const std::string log = read_text(results() / ".slurm/0002-0.log");
   EXPECT_NE(log.find("isobench: stopped ("), std::string::npos) << log;
   EXPECT_NE(status().find("missing"), std::string::npos) << status();
 
-  // A node dies while it is at it. Slurm itself would hand the task to the other one, there to hang again.
+  // A node dies while it runs the task. Cancel the task, which Slurm would start on the other node to hang there again.
   submit_with("hang:sphere-particles-*-s2-*", {}, "submitted ");
   become("1 running");
   const std::string node = word_after(status(), " on ");
@@ -129,7 +130,7 @@ TEST_F(ClusterFaultsSlow, LosesNothingWhenTasksAndNodesFail) {
   EXPECT_EQ(status().find("running"), std::string::npos) << status();
   submit_with("", {}, "submitted ");
   become("10 done");
-  // What was done stayed as it was.
+  // Runs that were done before were not repeated.
   const auto after = records(results());
   ASSERT_EQ(after.size(), 10U);
   for (const auto& [run, record] : before) {

@@ -23,7 +23,7 @@ std::string first_word(const fs::path& path) {
   return word;
 }
 
-// "123_4" → {"123", 4}; false for a job that is no array.
+// "123_4" → {"123", 4}; false if the job is not an array.
 bool split_task(const std::string& task, std::string& job, std::size_t& index) {
   const std::size_t at = task.find('_');
   if (at == std::string::npos || task.find_first_not_of("0123456789", at + 1) != std::string::npos) return false;
@@ -74,7 +74,7 @@ std::vector<Submission> submissions(const fs::path& folder, std::size_t cells) {
   for (const fs::path& list : lists) {
     Submission submission;
     submission.job = first_word(fs::path(list).replace_extension(".job"));
-    if (submission.job.empty()) continue;  // sbatch refused it
+    if (submission.job.empty()) continue;  // sbatch refused the array
     std::ifstream file(list);
     for (std::string line; std::getline(file, line);) submission.tasks.push_back(parse_cell_numbers(line, cells));
     all.push_back(std::move(submission));
@@ -96,7 +96,7 @@ FolderState folder_state(const fs::path& folder, const std::vector<RunRequest>& 
   for (const auto& [task, word] : *queued) {
     std::string job;
     std::size_t index = 0;
-    // COMPLETING and the like are over.
+    // In all other states, such as COMPLETING, the task is over.
     const bool to_come = word == "PENDING" || word == "CONFIGURING" || word == "RUNNING" || word == "REQUEUED";
     if (!to_come || !split_task(task, job, index)) continue;
     const auto submission =
@@ -105,8 +105,7 @@ FolderState folder_state(const fs::path& folder, const std::vector<RunRequest>& 
     for (const std::size_t number : submission->tasks[index]) {
       CellState& cell = state.cells[number - 1];
       if (cell.where == Whereabouts::done || cell.where == Whereabouts::running) continue;
-      // A running task may have failed this one already, or have it before it: a failure of before it began is as
-      // good as none, one of its own is not told apart and is said to wait until the task is over.
+      // A failure may be older than this task, or a result of it. Both count as waiting until the task is over.
       cell.where = Whereabouts::waiting;
       cell.task = task;
     }

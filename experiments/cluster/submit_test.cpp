@@ -1,4 +1,4 @@
-// Submitting and dividing work, with stand-ins for Slurm's commands or without any.
+// Submits experiments to scripts that stand in for Slurm's commands, and divides work without Slurm.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -25,7 +25,7 @@ const char* const two_spheres =
     "6]\n[sampling]\nedge_length = 6\n[[method]]\n"
     "name = \"marching-cubes\"\n[[method]]\nname = \"particles\"\n[limits]\nminutes = 3\nmemory_gb = 2\n";
 
-/// sbatch and its like, as scripts: sbatch writes down its words and says a number.
+/// Scripts in place of the commands of Slurm. sbatch logs its arguments and prints the number of a job.
 class FakeSlurm {
  public:
   explicit FakeSlurm(const TestFolder& folder, int array_size = 3) : folder_(folder) {
@@ -62,7 +62,7 @@ TEST(Submit, WithoutSlurmSaysWhatWorksInstead) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_TRUE(has(outcome.err, "no Slurm on this machine")) << outcome.err;
   EXPECT_TRUE(has(outcome.err, "isobench run --cells 1-12 ")) << outcome.err;
-  // And it does: in parts, then the report.
+  // Follow its advice: run the cells in two parts, then make the report.
   for (const char* cells : {"1-6", "7-12"}) {
     const Outcome part = run_program(folder.path(), {"run", "--quiet", "--cells", cells, "results/two"});
     EXPECT_EQ(part.code, 0) << part.err;
@@ -83,7 +83,8 @@ TEST(Submit, CutsIntoArraysThatTheClusterTakes) {
   };
   const Outcome outcome = submit({"--", "--partition=long"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  // Six cells in three tasks of two, of which an array may have two; then those that are matched to them; the report.
+  // Three tasks of two cells in two arrays, as an array may have two tasks; the same for the cells matched to them; a
+  // report.
   const std::vector<std::string> calls = slurm.calls();
   ASSERT_EQ(calls.size(), 5U) << outcome.out;
   EXPECT_TRUE(has(calls[0], "--array=0-1%4")) << calls[0];
@@ -95,7 +96,7 @@ TEST(Submit, CutsIntoArraysThatTheClusterTakes) {
   EXPECT_TRUE(has(calls[4], "--dependency=afterany:101:102:103:104")) << calls[4];
   EXPECT_TRUE(has(outcome.out, "scancel 101 102 103 104 105")) << outcome.out;
 
-  // What waits in the queue is not submitted again; what has left it without a record is.
+  // Cells that wait in the queue are not submitted again. Cells that have left it without a record are.
   slurm.queue("101_0 PENDING\n101_1 PENDING\n102_0 RUNNING\n103_0 PENDING\n");
   const std::string state = run_program(folder.path(), {"status", "results/two"}, slurm.environment()).out;
   EXPECT_TRUE(has(state, "12 cells: 0 done, 8 waiting, 4 missing")) << state;
@@ -114,7 +115,7 @@ TEST(Submit, SaysWhatSbatchRefused) {
   EXPECT_TRUE(has(run_program(folder.path(), {"status", "results/two"}, slurm.environment()).out, "12 missing"));
 }
 
-/// As full as particles leave it, which is the longest of the records.
+/// A record of the size that `particles` writes, which are the longest.
 RunRecord full_record(const RunRequest& request) {
   RunRecord record = sample_record(request.dataset, request.method);
   record.request = request;
@@ -131,9 +132,9 @@ RunRecord full_record(const RunRequest& request) {
   return record;
 }
 
-/// A sweep of 5,000 cells, a twentieth of what a plan may have, within a twentieth of the memory that such a plan may
-/// take (1 GB, of which the plan alone needs no half and its records nine tenths), besides what the program takes for
-/// itself and its libraries.
+/// A plan may have 100,000 cells, and the program may then take 1 GB: less than half of it for the plan, nine tenths
+/// with all records. This test has a twentieth of the cells. It allows a twentieth of the memory, and what the program
+/// and its libraries take by themselves.
 TEST(SubmitSlow, StaysSmallForVeryManyCells) {
   constexpr double most_of_plan_mb = 20.0 + 35.0;
   constexpr double most_of_records_mb = 45.0 + 55.0;
@@ -159,9 +160,9 @@ TEST(SubmitSlow, StaysSmallForVeryManyCells) {
   for (int task = 0; task < 1000; ++task) queue += fmt::format("101_{} PENDING\n", task);
   slurm.queue(queue);
   EXPECT_TRUE(has(call({"status", "results/wide"}, most_of_plan_mb).out, "5000 cells: 0 done, 5000 waiting"));
-  // A stand-in that takes no time: what a finished run leaves.
+  // Write what finished runs leave, instead of running them.
   const fs::path results = folder.path() / "results/wide";
-  const std::vector<RunRequest> plan = plan_from_json(text_of(results / "plan.json"), "plan.json");
+  const std::vector<RunRequest> plan = plan_from_json(read_text(results / "plan.json"), "plan.json");
   tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t n) {
     fs::create_directory(results / plan[n].run);
     write_record(full_record(plan[n]), results / plan[n].run / "run.json");
@@ -181,7 +182,7 @@ TEST(Cells, NeedAFrozenPlan) {
   EXPECT_TRUE(has(run_program(folder.path(), {"status", "results/two"}).err, "no plan.json"));
 }
 
-/// What takes no time in the place of a run: claimed, recorded and committed in this process.
+/// Claims, records and commits every run of a plan in this process, without meshing.
 void do_all(const Store& store, const std::vector<RunRequest>& cells, const fs::path& log) {
   std::ofstream done(log);
   for (const RunRequest& request : cells) {
@@ -207,7 +208,7 @@ TEST(Cells, RacingProcessesDoEachOnceAndLoseNone) {
   const Config config = read_config(folder.path() / "race.toml");
   const std::vector<RunRequest> plan = make_plan(config);
   ASSERT_EQ(plan.size(), 1000U);
-  constexpr int rounds = 3;  // a hundred were seen once; each costs a thousand writes to the disk
+  constexpr int rounds = 3;  // each round writes a thousand records
   for (int round = 0; round < rounds; ++round) {
     const fs::path results = folder.path() / fmt::format("round-{}", round);
     const Store store(results, config, plan);

@@ -1,4 +1,4 @@
-// A Slurm cluster of two virtual nodes on this machine, from Debian's packages, for as long as a test needs it.
+// For tests: a Slurm cluster of two virtual nodes on this machine, made from Debian's packages.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,20 +6,21 @@
 
 #include <csignal>
 #include <fstream>
+#include <random>
 #include <string>
 
-#include "isobench/experiments/cluster/slurm.h"
 #include "isobench/experiments/command_line/test_program.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/testing/test_folder.h"
+#include "isobench/foundation/testing/test_variable.h"
 
 namespace isobench {
 
-/// Why there can be no cluster here; "" where there can.
+/// Why there can be no cluster here; "" if there can be one.
 inline std::string no_cluster() {
-  if (geteuid() != 0) return "slurmd runs as root alone, and this is not root";
+  if (geteuid() != 0) return "slurmd must be started by root, and this is not root";
   for (const char* program : {"munged", "slurmctld", "slurmd", "sbatch", "squeue"}) {
-    if (std::system(fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) != 0)
-      return fmt::format("{} is missing: apt-get install slurm-wlm munge", program);
+    if (!has_program(program)) return fmt::format("{} is missing: apt-get install slurm-wlm munge", program);
   }
   return "";
 }
@@ -28,16 +29,8 @@ class Cluster {
  public:
   Cluster() {
     const std::string root = folder_.path().string();
-    // munged insists on folders that no other user can write.
-    run(
-        fmt::format("chmod 755 {0} && mkdir -m 755 {0}/munge {0}/state && head -c 1024 /dev/urandom >{0}/munge/key && "
-                    "chmod 600 {0}/munge/key",
-                    root));
-    run(
-        fmt::format("munged --force --key-file={0}/munge/key --socket={0}/munge/socket --pid-file={0}/munge/pid "
-                    "--log-file={0}/munge/log --seed-file={0}/munge/seed",
-                    root));
-    // Ports that another cluster of a test running beside this one does not have, below those of outgoing connections.
+    start_munge();
+    // Ports that no other cluster uses while tests run side by side. They lie below those of outgoing connections.
     const int port = 10000 + 4 * (getpid() % 5000);
     folder_.write("slurm.conf", fmt::format(R"(ClusterName=test
 SlurmctldHost={1}
@@ -67,8 +60,7 @@ NodeName=n2 NodeHostname={1} Port={4} CPUs=1 RealMemory=6000
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 )",
                                             root, host(), port, port + 1, port + 2));
-    setenv("SLURM_CONF", configuration().c_str(), 1);
-    run("slurmctld");
+    start({"slurmctld"});
     start_node("n1");
     start_node("n2");
     ready_ = eventually([] { return run_command({"sinfo", "--noheader", "--format=%T"}).out == "idle\n"; });
@@ -76,28 +68,27 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
   ~Cluster() {
     run_command({"scancel", "--user=root"});
     for (const char* name : {"slurmd-n1.pid", "slurmd-n2.pid", "slurmctld.pid", "munge/pid"}) stop(name);
-    unsetenv("SLURM_CONF");
   }
   Cluster(const Cluster&) = delete;
   Cluster& operator=(const Cluster&) = delete;
 
   bool ready() const { return ready_; }
   std::string configuration() const { return (folder_.path() / "slurm.conf").string(); }
-  void start_node(const std::string& name) const { run("slurmd -N " + name); }
-  /// As a node that loses its power: the daemon and all that it had started.
+  void start_node(const std::string& name) const { start({"slurmd", "-N", name}); }
+  /// What the loss of power does to a node: kills its daemon and everything that the daemon started.
   void kill_node(const std::string& name) const {
     stop("slurmd-" + name + ".pid");
     for (const std::string& who : {std::string("slurmstepd: ["), folder_of_runs_}) {
       for (const int pid : processes_mentioning(who)) {
-        const std::string variables = text_of(fmt::format("/proc/{}/environ", pid));
+        const std::string variables = read_text_or_empty(fmt::format("/proc/{}/environ", pid));
         const auto has = [&variables](const std::string& part) { return variables.find(part) != std::string::npos; };
-        // Another test's cluster has nodes of the same names.
+        // The cluster of another test has nodes of the same names.
         if (has("SLURMD_NODENAME=" + name) && has("SLURM_CONF=" + configuration())) kill(pid, SIGKILL);
       }
     }
   }
   void runs_in(const std::string& folder) { folder_of_runs_ = folder; }
-  /// Waits until nothing is queued or running any more.
+  /// Waits until no job is queued or running.
   static bool drained() {
     return eventually([] { return run_command({"squeue", "--noheader"}).out.empty(); }, std::chrono::minutes(5));
   }
@@ -109,8 +100,28 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
     const std::string full = name;
     return full.substr(0, full.find('.'));
   }
-  static void run(const std::string& command) {
-    if (std::system(command.c_str()) != 0) ADD_FAILURE() << "cannot: " << command;
+  void start_munge() const {
+    const std::filesystem::path munge = folder_.path() / "munge";
+    // munged refuses folders that other users can write to, and a key that they can read.
+    const auto for_all_to_read = static_cast<std::filesystem::perms>(0755);
+    for (const auto& folder : {folder_.path(), munge, folder_.path() / "state"}) {
+      std::filesystem::create_directory(folder);
+      std::filesystem::permissions(folder, for_all_to_read);
+    }
+    std::random_device random;
+    std::string key(1024, '\0');
+    for (char& byte : key) byte = static_cast<char>(random());
+    std::filesystem::permissions(folder_.write("munge/key", key), static_cast<std::filesystem::perms>(0600));
+    const auto option = [&munge](const std::string& name, const std::string& file) {
+      return "--" + name + "=" + (munge / file).string();
+    };
+    start({"munged", "--force", option("key-file", "key"), option("socket", "socket"), option("pid-file", "pid"),
+           option("log-file", "log"), option("seed-file", "seed")});
+  }
+  /// Starts a daemon, which goes to the background by itself.
+  static void start(const std::vector<std::string>& words) {
+    const ChildExit exit = ChildProcess({.words = words}).wait();
+    if (!exit.succeeded()) ADD_FAILURE() << words.front() << " " << to_string(exit);
   }
   void stop(const std::string& pid_file) const {
     std::ifstream file(folder_.path() / pid_file);
@@ -121,6 +132,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
   }
 
   TestFolder folder_;
+  TestVariable variable_{"SLURM_CONF", configuration()};
   std::string folder_of_runs_ = "\x01 none";
   bool ready_ = false;
 };

@@ -1,4 +1,4 @@
-// `isobench compare` on what `isobench run` leaves behind.
+// `isobench compare` on results folders that `isobench run` made.
 #include <gtest/gtest.h>
 
 #include "isobench/experiments/command_line/test_program.h"
@@ -30,7 +30,7 @@ name = "flying-edges"
 class Compare : public testing::Test {
  protected:
   Outcome run(const std::vector<std::string>& arguments) { return run_program(folder_.path(), arguments); }
-  // Twice the same config, into folders a and b.
+  // Runs the same config twice, into folders a and b.
   void run_twice(const char* config) {
     folder_.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
     folder_.write("two.toml", config);
@@ -52,7 +52,7 @@ TEST_F(Compare, TwoRunsOfOneConfigDifferInNothingButSeconds) {
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   EXPECT_EQ(same.out.find("2 runs are the same in both in all but seconds and memory"), 0U) << same.out;
   EXPECT_EQ(std::count(same.out.begin(), same.out.end(), '\n'), 1) << same.out;
-  EXPECT_NE(same.out.find("threads"), std::string::npos) << same.out;  // the circumstance that was changed
+  EXPECT_NE(same.out.find("threads"), std::string::npos) << same.out;  // the circumstance that differs
   EXPECT_NE(run({"compare", "a/two", "b/two", "-v"}).out.find("## Seconds"), std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
       << again.out;
   EXPECT_NE(again.out.find("| threads | 2   | 1   | 4    |"), std::string::npos) << again.out;
   EXPECT_TRUE(fs::exists(folder_.path() / "mine" / "as-it-came" / "results.csv"));
-  // Without another place it goes on with what is there.
+  // Without --out the folder itself is continued.
   const Outcome here = run({"run", "as-it-came"});
   EXPECT_EQ(here.code, 0) << here.err;
   EXPECT_NE(here.err.find("4 done before"), std::string::npos) << here.err;
@@ -79,7 +79,7 @@ TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
 TEST_F(Compare, AFigureThatDiffersIsShownAndExitsWith1) {
   run_twice(cubes_experiment);
   const fs::path record = record_in("b/two", "torus-marching-cubes");
-  std::string text = text_of(record);
+  std::string text = read_text(record);
   const std::size_t at = text.find("\"triangles\": ");
   ASSERT_NE(at, std::string::npos);
   text.insert(at + 13, 1, '1');

@@ -1,4 +1,4 @@
-// Whatever an external program does costs its own run and no other, and its log is there to be read.
+// Whatever an external program does, only its own run fails, and its log is kept.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ const std::vector<Case>& cases() {
       {"hang", "echo words; (setsid sleep 1003 &); sleep 1002", Status::timeout, "not finished after 0.1 minutes"},
       {"memory", "echo words; x=$(head -c 700000000 /dev/zero | tr '\\0' x); sleep 100; echo ${#x}",
        Status::out_of_memory, "needed more than 0.5 GB"},
-      {"nothing", "echo words", Status::failed, "wrote no output.ply"},
-      {"elsewhere", "echo words; cp $1 other.ply", Status::failed, "what it wrote there: other.ply"},
+      {"nothing", "echo words", Status::failed, "did not write output.ply"},
+      {"elsewhere", "echo words; cp $1 other.ply", Status::failed, "it wrote other.ply there"},
       {"broken", "echo words; head -c 3000 $1 > $2", Status::failed, "output.ply: "},
   };
   return all;
@@ -68,10 +68,10 @@ TEST(External, EveryWayToFailCostsItsOwnRunAlone) {
     const RunRecord record = read_record(run / "run.json");
     EXPECT_EQ(record.status, one.status) << record.reason;
     EXPECT_NE(record.reason.find(one.reason), std::string::npos) << record.reason;
-    const std::string log = text_of(run / "external.txt");
+    const std::string log = read_text(run / "external.txt");
     EXPECT_NE(log.find("$ sh "), std::string::npos) << log;
     EXPECT_NE(log.find(one.status == Status::ok ? "\nfine\n" : "\nwords\n"), std::string::npos) << log;
-    EXPECT_EQ(count_starting(run, "."), 0U) << "scratch folders go, however it ended";
+    EXPECT_EQ(count_starting(run, "."), 0U) << "scratch folders are removed, however the program ended";
     EXPECT_EQ(fs::exists(run / "mesh.vtp"), one.status == Status::ok);
   }
   const RunRecord fine = read_record(folder_of(results, "fine") / "run.json");
@@ -87,7 +87,7 @@ TEST(External, EveryWayToFailCostsItsOwnRunAlone) {
       process_mentions(std::string("sleep\0"
                                    "1003",
                                    10)))
-      << "though it had left the process group";
+      << "a process that left the process group is stopped, too";
 }
 
 TEST(External, AnInterruptionStopsTheProgramAndAllThatItStarted) {
@@ -96,7 +96,7 @@ TEST(External, AnInterruptionStopsTheProgramAndAllThatItStarted) {
   folder.write("long.toml",
                "dataset = \"ball\"\n[sampling]\nedge_length = 5\n[[method]]\nname = \"external\"\n"
                "command = \"sh -c 'setsid sleep 1005 & sleep 1004'\"\n");
-  const Program program(folder.path(), {"run", "long.toml"}, {{"ISOBENCH_CATALOGUE", folder.path().string()}});
+  Program program(folder.path(), {"run", "long.toml"}, {{"ISOBENCH_CATALOGUE", folder.path().string()}});
   const std::string one(
       "sleep\0"
       "1004",

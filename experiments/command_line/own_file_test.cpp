@@ -1,5 +1,4 @@
-// A user's own volume, anisotropic and oblique, goes from its file to a mesh file in one command and lies where the
-// volume's file says, in mm.
+// `isobench mesh` on a user's volume file, anisotropic and oblique: the mesh lies where the volume's file says, in mm.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 
 #include "isobench/experiments/command_line/test_program.h"
 #include "isobench/foundation/testing/test_files.h"
+#include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 
@@ -18,7 +18,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The object, in the world: an ellipsoid that lies along none of the world's axes and none of the lattice's.
+/// The object in world coordinates: an ellipsoid whose axes are neither those of the world nor those of the lattice.
 const Vector3d semi_axes(9.0, 6.5, 4.5);
 const Vector3d centre(37.0, -21.5, 12.25);
 Matrix3d pose() { return Eigen::AngleAxisd(0.9, Vector3d(-1.0, 1.0, 2.0).normalized()).toRotationMatrix(); }
@@ -49,13 +49,13 @@ struct Scan {
       }
     }
   }
-  /// Of a smoothing kernel of these variances (mm², along the lattice) a quadratic knows only what it adds, −Σ v M:
-  /// F has exactly the object's surface at a value that is as much off 300.
+  /// The isovalue at which F is exactly the ellipsoid after smoothing by a kernel of these variances (mm², along the
+  /// lattice's axes): smoothing adds the constant −Σ v M to a quadratic function.
   double isovalue(const Vector3d& variances, double sign = 1.0) const {
     const Matrix3d m = direction.transpose() * shape_matrix() * direction;
     return 300.0 - sign * 200.0 * variances.dot(m.diagonal());
   }
-  /// The cubic B-spline's.
+  /// Variances of the cubic B-spline kernel.
   Vector3d spline_variances() const { return spacing.cwiseAbs2() / 3.0; }
 };
 
@@ -133,7 +133,7 @@ Vector3d half_box() { return (pose() * semi_axes.asDiagonal()).rowwise().norm();
 
 constexpr double edge = 0.8;  // mm
 
-/// Each vertex on the ellipsoid within `off` mm, its box and volume those of the ellipsoid.
+/// Expects each vertex within `off` mm of the ellipsoid, and box and volume of the mesh to be the ellipsoid's.
 void expect_the_ellipsoid(const TriangleMesh& mesh, double off) {
   ASSERT_GT(mesh.vertices.size(), 200U);
   Vector3d low = mesh.vertices[0];
@@ -147,8 +147,8 @@ void expect_the_ellipsoid(const TriangleMesh& mesh, double off) {
     high = high.cwiseMax(x);
   }
   EXPECT_LT(farthest, off);
-  // No vertex lies just at an extreme point: half an edge beside it the ellipsoid, bent by at least 4.5²/9 mm there,
-  // has fallen by 0.04 mm.
+  // The outermost vertex may lie half an edge beside the ellipsoid's extreme point. With the smallest radius of
+  // curvature there, 4.5²/9 mm, the ellipsoid lies 0.04 mm lower at that vertex.
   const double fallen = 0.25 * edge * edge / 2.0 / (semi_axes[2] * semi_axes[2] / semi_axes[0]);
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(low[axis], centre[axis] - half_box()[axis] + 0.5 * fallen, 0.5 * fallen + off) << axis;
@@ -157,8 +157,8 @@ void expect_the_ellipsoid(const TriangleMesh& mesh, double off) {
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 2);
-  // Inscribed: equilateral triangles of edge h lie h²/8 times the mean curvature below the surface in the mean, which
-  // takes 3h²/(8R²) off a ball; an ellipsoid of its volume has a little more.
+  // Equilateral triangles of edge h, inscribed, lie below the surface by h²/8 times the mean curvature on average. So a
+  // ball's mesh lacks 3h²/(8R²) of its volume; an ellipsoid's lacks a little more.
   const double volume = 4.0 / 3.0 * std::numbers::pi * semi_axes.prod();
   const double inscribed = 3.0 / 8.0 * edge * edge * std::pow(semi_axes.prod(), -2.0 / 3.0);
   EXPECT_NEAR(facts.volume / volume, 1.0 - inscribed, 0.3 * inscribed + 2.0 * off / semi_axes[2]);
@@ -186,7 +186,7 @@ TEST(OwnFile, GoesToEveryMeshFormatInItsPlace) {
   const double isovalue = scan.isovalue(scan.spline_variances());
   for (const char* volume : {"scan.nrrd", "scan.mha", "scan.nii.gz", "scan.vti"}) {
     for (const char* mesh : {"a.stl", "a.ply", "a.off", "a.obj", "a.vtp"}) {
-      // Single precision holds samples of up to 2000 to 1e-4, of which 1 mm is 45 at least.
+      // Single precision stores samples of up to 2000 with errors of 1e-4, and F changes by at least 45 per mm.
       expect_meshed(folder, volume, isovalue, mesh, {}, 2e-5);
     }
   }
@@ -201,7 +201,7 @@ TEST(OwnFile, MayBeDarkSmoothedAndMirrored) {
   folder.write("scan.mha", metaimage(scan));
   const Vector3d gaussian = scan.spacing.cwiseAbs2();  // a sigma of one voxel
   const double isovalue = scan.isovalue(scan.spline_variances() + gaussian, -1.0);
-  // The sampled Gaussian is cut off; at four sigma it lacks 1e-3 of its variance.
+  // The sampled Gaussian is cut off at four sigma, where it lacks 1e-3 of its variance.
   for (const char* volume : {"scan.nii.gz", "scan.mha"}) {
     expect_meshed(folder, volume, isovalue, "a.stl", {"--inside", "below", "--smooth", "1"}, 1e-3);
   }

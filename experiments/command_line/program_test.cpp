@@ -1,11 +1,14 @@
-// Exit codes and sentences of the program, and what its verbs print.
+// Exit codes and messages of the program, and what its verbs print.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <string>
 
 #include "isobench/experiments/command_line/test_program.h"
+#include "isobench/experiments/terminal/terminal.h"
+#include "isobench/foundation/testing/test_text.h"
 #include "isobench/methods/method.h"
 
 namespace isobench {
@@ -35,7 +38,10 @@ TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
   expect(with(mesh_torus, {"--edge-length", "2", "--vertices", "100"}), 2, "edge");
   expect(with(mesh_torus, {"--edge-length", "2", "-o", "mesh.stp"}), 2, "unknown ending '.stp'");
   expect(with(mesh_torus, {"--edge-length", "2", "-o", "no/such/mesh.ply"}), 2, "does not exist");
-  expect(with(mesh_torus, {"--edge-length", "2", "--frobnicate"}), 2, "--frobnicate");
+  expect(with(mesh_torus, {"--edge-length", "2", "--frobnicate"}), 2,
+         "unknown option '--frobnicate'; see isobench mesh");
+  expect(with(mesh_torus, {"--edge-lenght", "2"}), 2, "did you mean '--edge-length'?");
+  expect({"list", "methods", "metrics"}, 2, "unexpected argument 'metrics'");
   expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--method", "partcles"}, 2, "did you mean 'particles'?");
   expect({"mesh", "--dataset", "torus", "--edge-length", "2", "--set", "sweps=3"}, 2, "did you mean 'sweeps'?");
   expect({"mesh", "--volume", "scan.nrrd", "--edge-length", "2"}, 2, "--isovalue");
@@ -52,7 +58,7 @@ TEST_F(ProgramVerbs, BadDataExitWith3) {
   expect({"mesh", "--volume", "empty.nrrd", "--isovalue", "1", "--edge-length", "2", "-q"}, 3, "empty.nrrd");
   folder_.write("mesh.ply", "no mesh\n");
   expect({"measure", "mesh.ply", "--dataset", "torus", "-q"}, 3, "mesh.ply");
-  expect({"report", "results/none"}, 3, "no results folder");
+  expect({"report", "results/none"}, 3, "not a results folder");
 }
 
 TEST_F(ProgramVerbs, HostileFilesExitWith3AndOneSentence) {
@@ -89,7 +95,7 @@ TEST_F(ProgramVerbs, HostileFilesExitWith3AndOneSentence) {
 }
 
 TEST_F(ProgramVerbs, DegenerateMeshesAreMeasured) {
-  // Triangles without an area, one corner thrice, the same place twice, far away: nothing a figure cannot say.
+  // Triangles without area, with one corner three times, with two corners at one place, and far away have figures, too.
   folder_.write("flat.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n2 0 0\n1 0 0\n1e9 0 0\n3 0 1 2\n3 1 1 1\n3 0 1 3\n3 0 2 4\n");
   const Outcome outcome = run({"measure", "flat.off", "--dataset", "torus", "--json", "-q"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -145,7 +151,7 @@ TEST_F(ProgramVerbs, MeshThenMeasureAgree) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "torus.vtp"));
   const Outcome measured = run({"measure", "torus.vtp", "--dataset", "torus", "--epsilon", "0.5", "-q"});
   ASSERT_EQ(measured.code, 0) << measured.err;
-  // The mesh went through world coordinates and a file and came back: the same figures, line by line.
+  // The mesh went to world coordinates, into a file and back, and still has the same figures, line by line.
   const std::size_t figures = meshed.out.find("size ");
   EXPECT_EQ(measured.out, meshed.out.substr(figures, measured.out.size()));
 }
@@ -161,14 +167,13 @@ TEST_F(ProgramVerbs, MeshLeavesArtefactsInAFolder) {
 
 TEST_F(ProgramVerbs, MeshWithoutASizingTakesThePapersAndSaysSo) {
   const std::vector<std::string> ball = {"mesh", "--dataset", "small.toml"};
+  const std::string says = "no sizing was given: taking --epsilon 0.5 --delta 0.3\n";
   folder_.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
   const Outcome unsized = run(ball);
   ASSERT_EQ(unsized.code, 0) << unsized.err;
-  const std::string sentence = "no sizing was given: taking --epsilon 0.5 --delta 0.3\n";
-  EXPECT_NE(unsized.err.find(sentence), std::string::npos) << unsized.err;
+  EXPECT_NE(unsized.err.find(says), std::string::npos) << unsized.err;
   const Outcome sized = run(with(ball, {"--epsilon", "0.5", "--delta", "0.3"}));
-  EXPECT_EQ(sized.err.find(sentence), std::string::npos) << sized.err;
-  EXPECT_EQ(run(with(ball, {"-q"})).err, "") << "-q asks for no words";
+  EXPECT_EQ(sized.err.find(says), std::string::npos) << sized.err;
   EXPECT_EQ(unsized.out.substr(0, unsized.out.find("\ntime")), sized.out.substr(0, sized.out.find("\ntime")));
   expect(with(ball, {"--epsilon", "0.5"}), 2, "epsilon is given without delta");
 }
@@ -218,7 +223,7 @@ TEST_F(ProgramVerbs, MeasureOfAMeshAloneGivesWhatNeedsNoSurface) {
   folder_.write("open.off", "OFF\n8 11 0\n" + corners + eleven);
   const Outcome closed = run({"measure", "cube.off", "--json", "-q"});
   EXPECT_EQ(json_value(closed, "vertices"), "8");
-  EXPECT_EQ(std::stod(json_value(closed, "volume")), 8.0);
+  EXPECT_DOUBLE_EQ(std::stod(json_value(closed, "volume")), 8.0);
   EXPECT_EQ(std::stod(json_value(closed, "area")), 24.0);
   EXPECT_EQ(json_value(closed, "euler"), "2");
   EXPECT_EQ(json_value(closed, "boundary_edges"), "0");
@@ -283,9 +288,37 @@ TEST_F(ProgramVerbs, ListAndVersionSayWhatThereIs) {
   }
   const Outcome version = run({"--version"});
   EXPECT_EQ(version.code, 0);
-  for (const char* word : {"isobench ", "commit", "VTK 9", "CGAL 5"}) {
-    EXPECT_NE(version.out.find(word), std::string::npos) << word;
+  for (const char* pattern : {"isobench [0-9]+\\.", "commit ", "VTK [0-9]+\\.", "CGAL [0-9]+\\."}) {
+    EXPECT_TRUE(std::regex_search(version.out, std::regex(pattern))) << pattern << " in " << version.out;
   }
+}
+
+TEST_F(ProgramVerbs, ListsAreWrappedToTheTerminalAndNotInAFile) {
+  std::size_t longest = 0;
+  const Outcome to_file = run_program(folder_.path(), {"list"}, {{"COLUMNS", ""}});
+  for (const std::string& line : lines(to_file.out)) longest = std::max(longest, character_count(line));
+  EXPECT_GT(longest, 200U) << "an entry of a list in a file is one line";
+  for (const char* const columns : {"60", "100"}) {
+    const Outcome list = run_program(folder_.path(), {"list"}, {{"COLUMNS", columns}});
+    EXPECT_EQ(list.code, 0) << list.err;
+    for (const std::string& line : lines(list.out)) {
+      // A single word, such as an address, may be longer than the terminal is wide.
+      const bool one_word = line.find(' ', line.find_first_not_of(' ')) == std::string::npos;
+      EXPECT_TRUE(one_word || character_count(line) <= std::stoul(columns)) << line;
+    }
+  }
+}
+
+TEST_F(ProgramVerbs, HelpDescribesEveryVerb) {
+  const Outcome help = run_program(folder_.path(), {"--help"}, {{"COLUMNS", "80"}});
+  EXPECT_EQ(help.code, 0);
+  for (const char* verb : {"run", "mesh", "measure", "list", "fetch", "report", "compare", "submit", "status"}) {
+    EXPECT_NE(help.out.find(std::string("\n  ") + verb + " "), std::string::npos) << verb;
+    const Outcome of_verb = run_program(folder_.path(), {verb, "--help"}, {{"COLUMNS", "80"}});
+    EXPECT_EQ(of_verb.code, 0) << of_verb.err;
+    for (const std::string& line : lines(of_verb.out)) EXPECT_LE(character_count(line), 80U) << line;
+  }
+  EXPECT_EQ(help.out.find("cell "), std::string::npos) << "the verb that run starts is hidden";
 }
 
 TEST_F(ProgramVerbs, DryRunTouchesNothing) {

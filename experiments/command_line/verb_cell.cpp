@@ -21,10 +21,10 @@ RunRequest planned(const CellArguments& arguments) {
 }  // namespace
 
 int cell_verb(const CellArguments& arguments, const CommonArguments&) {
-  std::signal(SIGPIPE, SIG_IGN);  // losing the reader of the progress is no reason to die
+  std::signal(SIGPIPE, SIG_IGN);  // the run goes on where nobody reads its progress any more
   const RunRequest request = planned(arguments);
   if (request.match_to.empty() == arguments.match_vertices.has_value()) {
-    throw UsageError("--match-vertices is for runs that are matched to another, and for all of these");
+    throw UsageError("--match-vertices must be given exactly where the run has a match_to");
   }
   inject_fault(request, arguments.folder);
   PipeSink sink(arguments.progress_fd);

@@ -8,7 +8,7 @@ namespace isobench {
 int compare_verb(const CompareArguments& arguments, const CommonArguments& common) {
   Results a = load_results(arguments.a);
   Results b = load_results(arguments.b);
-  // Two runs of one experiment have one name; the folders tell them apart.
+  // Both are often runs of one experiment and have one name; their folders tell them apart.
   a.name = arguments.a.string();
   b.name = arguments.b.string();
   const Comparison comparison = compare(a, b, arguments.tolerance);

@@ -5,11 +5,11 @@
 
 #include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/experiments/command_line/verbs.h"
+#include "isobench/experiments/terminal/terminal.h"
 #include "isobench/foundation/toml.h"
 #include "isobench/methods/method.h"
 #include "isobench/metrics/metric.h"
 #include "isobench/reports/csv/results_csv.h"
-#include "isobench/reports/record/environment.h"
 
 namespace isobench {
 
@@ -17,40 +17,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void list_all_datasets() {
+// Every topic gives rows of cells, the first of which is a name, the last a description.
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows dataset_rows() {
+  Rows rows;
   for (const DatasetInfo& dataset : list_datasets()) {
-    fmt::print("{:16} {}\n", dataset.name, dataset.title);
     const std::string licence = dataset.licence.empty() ? "" : "; licence: " + dataset.licence;
-    fmt::print("{:16} source: {}{}\n", "", dataset.source, licence);
+    rows.push_back({dataset.name, fmt::format("{}; source: {}{}", dataset.title, dataset.source, licence)});
   }
+  return rows;
 }
 
 std::string range(const ParameterSpec& spec) {
-  std::string text;
-  if (std::holds_alternative<double>(spec.default_value)) {
-    text = spec.integer ? "whole number" : "number";
-    if (std::isfinite(spec.min)) text += fmt::format(", at least {}", spec.min);
-    if (std::isfinite(spec.max)) text += fmt::format(", at most {}", spec.max);
-  } else if (std::holds_alternative<bool>(spec.default_value)) {
-    text = "true or false";
-  } else {
-    text = spec.choices.empty() ? "text" : fmt::format("one of {}", fmt::join(spec.choices, ", "));
+  if (std::holds_alternative<bool>(spec.default_value)) return "true or false";
+  if (!std::holds_alternative<double>(spec.default_value)) {
+    return spec.choices.empty() ? "text" : fmt::format("one of {}", fmt::join(spec.choices, ", "));
   }
+  std::string text = spec.integer ? "whole number" : "number";
+  if (std::isfinite(spec.min) && std::isfinite(spec.max))
+    return fmt::format("{} from {} to {}", text, spec.min, spec.max);
+  if (std::isfinite(spec.min)) text += fmt::format(", at least {}", spec.min);
+  if (std::isfinite(spec.max)) text += fmt::format(", at most {}", spec.max);
   return text;
 }
 
-void list_all_methods() {
+std::string parameter_description(const ParameterSpec& spec) {
+  const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
+  const std::string otherwise = spec.required ? "must be given" : "default: " + to_string(spec.default_value) + unit;
+  return fmt::format("{} ({}; {})", spec.description, range(spec), otherwise);
+}
+
+std::string method_description(const Method& method) {
+  const char* promise = "";
+  if (!method.deterministic) promise = "; not deterministic";
+  if (method.deterministic && method.deterministic_with != nullptr) promise = "; deterministic with some parameters";
+  return fmt::format("{} (revision {}{})", method.summary, method.revision, promise);
+}
+
+Rows method_rows() {
+  Rows rows;
   for (const Method& method : methods()) {
-    const char* promise = !method.deterministic                  ? "; not deterministic"
-                          : method.deterministic_with != nullptr ? "; deterministic with some parameters"
-                                                                 : "";
-    fmt::print("{:16} {} (revision {}{})\n", method.name, method.summary, method.revision, promise);
-    for (const ParameterSpec& spec : method.parameters) {
-      const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
-      const std::string otherwise = spec.required ? "must be given" : "default " + to_string(spec.default_value) + unit;
-      fmt::print("  {:14} {}: {}; {}\n", spec.name, spec.description, range(spec), otherwise);
-    }
+    rows.push_back({method.name, method_description(method)});
+    for (const ParameterSpec& spec : method.parameters) rows.push_back({"  " + spec.name, parameter_description(spec)});
   }
+  return rows;
 }
 
 std::string needs(const Metric& metric) {
@@ -65,20 +76,22 @@ std::string needs(const Metric& metric) {
   return "";
 }
 
-void list_all_metrics() {
+Rows metric_rows() {
+  Rows rows;
   for (std::size_t n = 0; n < declared_figures().size(); ++n) {
     const FigureDeclaration& figure = declared_figures()[n];
-    fmt::print("{:28} {:8} {}{}\n", figure.name, figure.unit, full_definition(figure), needs(metric_of_figure(n)));
+    rows.push_back({figure.name, figure.unit, full_definition(figure) + needs(metric_of_figure(n))});
   }
+  return rows;
 }
 
-void list_all_columns() {
-  for (const CsvColumn& column : csv_columns()) {
-    fmt::print("{:28} {:8} {}\n", column.name, column.unit, column.definition);
-  }
+Rows column_rows() {
+  Rows rows;
+  for (const CsvColumn& column : csv_columns()) rows.push_back({column.name, column.unit, column.definition});
+  return rows;
 }
 
-void list_all_experiments() {
+Rows experiment_rows() {
   std::vector<fs::path> configs;
   const fs::path folder = ISOBENCH_EXPERIMENTS;
   if (fs::is_directory(folder)) {
@@ -87,10 +100,12 @@ void list_all_experiments() {
     }
   }
   std::sort(configs.begin(), configs.end());
+  Rows rows;
   for (const fs::path& config : configs) {
     const auto title = TomlValue::parse_file(config).find("title");
-    fmt::print("{:32} {}\n", fs::proximate(config).string(), title ? title->as_string() : "");
+    rows.push_back({fs::proximate(config).string(), title ? title->as_string() : ""});
   }
+  return rows;
 }
 
 }  // namespace
@@ -98,44 +113,23 @@ void list_all_experiments() {
 int list_verb(const std::string& topic) {
   struct Topic {
     std::string name;
-    void (*print)();
+    Rows (*rows)();
   };
-  static const std::vector<Topic> topics = {{"datasets", list_all_datasets},
-                                            {"methods", list_all_methods},
-                                            {"metrics", list_all_metrics},
-                                            {"columns", list_all_columns},
-                                            {"experiments", list_all_experiments}};
+  static const std::vector<Topic> topics = {{"datasets", dataset_rows},
+                                            {"methods", method_rows},
+                                            {"metrics", metric_rows},
+                                            {"columns", column_rows},
+                                            {"experiments", experiment_rows}};
   std::vector<std::string> names;
   bool found = false;
   for (const Topic& each : topics) {
     names.push_back(each.name);
     if (!topic.empty() && topic != each.name) continue;
     if (topic.empty()) fmt::print("{}{}:\n", found ? "\n" : "", each.name);
-    each.print();
+    fmt::print("{}", aligned_rows(each.rows(), output_width()));
     found = true;
   }
   if (!found) throw UsageError("nothing to list under '" + topic + "'" + suggestion(topic, names));
-  return 0;
-}
-
-int fetch_verb(std::vector<std::string> datasets, const CommonArguments& common) {
-  if (datasets.empty()) datasets = dataset_names();
-  Console console(common.verbosity);
-  ConsoleSink sink(console);
-  Monitor monitor(&sink);
-  for (const std::string& name : datasets) {
-    const std::vector<fs::path> files = fetch_dataset(name, monitor);
-    console.clear();
-    for (const fs::path& file : files) fmt::print("{}\n", file.string());
-  }
-  return 0;
-}
-
-int version_verb() {
-  const Environment here = environment();
-  fmt::print("isobench {} (commit {}{})\n{}, {}\n", here.version, here.commit, here.dirty ? ", changed" : "",
-             here.compiler, here.build_type);
-  for (const auto& [name, version] : *here.libraries) fmt::print("{} {}\n", name, version);
   return 0;
 }
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/method.h"
 #include "isobench/reports/tables/summary.h"
@@ -66,18 +66,10 @@ SizingRequest sizing_of(const MeshArguments& arguments, const Method& chosen, Co
   return sizing;
 }
 
-// Under another name first, so that a killed run leaves no half-written mesh behind.
 void write_whole(const TriangleMesh& mesh, const fs::path& output) {
-  const fs::path temporary =
-      output.parent_path() / fmt::format(".{}-{}{}", output.stem().string(), getpid(), output.extension().string());
-  try {
-    write_mesh(mesh, temporary);
-    fs::rename(temporary, output);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
-  }
+  PartialFile partial(output);
+  write_mesh(mesh, partial.path());
+  partial.complete();
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "isobench/experiments/command_line/frozen_plan.h"
+#include "isobench/experiments/command_line/report_output.h"
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/plan/cell_numbers.h"
 #include "isobench/experiments/plan/plan.h"
@@ -24,11 +26,12 @@ std::vector<RunRequest> selection(const std::vector<RunRequest>& plan, const std
     names.push_back(request.dataset + "/" + request.label);
     if (selected(request, glob)) needed.insert({request.run, request.match_to});
   }
-  // What is matched to another run needs that one, selected or not.
+  // A run that is matched to another one needs that one, selected or not.
   std::copy_if(plan.begin(), plan.end(), std::back_inserter(chosen),
                [&needed](const RunRequest& request) { return needed.count(request.run) > 0; });
-  if (chosen.empty())
-    throw UsageError("--only '" + glob + "' names no run of this experiment" + suggestion(glob, names));
+  if (chosen.empty()) {
+    throw UsageError("--only '" + glob + "' matches no run of this experiment" + suggestion(glob, names));
+  }
   return chosen;
 }
 
@@ -52,30 +55,8 @@ void print_plan(const std::filesystem::path& folder, const std::vector<RunReques
   fmt::print("{} runs in {}: {}{}\n", cells.size(), folder.string(), text, timed ? "; timed, one at a time" : "");
 }
 
-// What is to be run, and where to.
-struct Source {
-  std::filesystem::path config;
-  std::string name;  ///< of the experiment; "" where the config's file says it
-  std::filesystem::path out;
-  std::optional<std::filesystem::path> again_of;  ///< the results folder that is made again elsewhere
-};
-
-Source source_of(const RunArguments& arguments) {
-  namespace fs = std::filesystem;
-  if (!fs::is_directory(arguments.config)) return {arguments.config, "", arguments.out.value_or("results"), {}};
-  const fs::path folder = fs::canonical(arguments.config);
-  if (!fs::exists(folder / "config.toml")) {
-    throw UsageError(arguments.config.string() +
-                     " is a folder without a config.toml, so it holds no results; give a "
-                     "config or a results folder");
-  }
-  Source source{folder / "config.toml", folder.filename().string(), arguments.out.value_or(folder.parent_path()), {}};
-  const fs::path target = source.out / source.name;
-  if (!fs::exists(target) || !fs::equivalent(target, folder)) source.again_of = folder;
-  return source;
-}
-
-std::string what_differs(const std::filesystem::path& before, const std::filesystem::path& now) {
+// How the runs of a results folder differ from those that it was computed again from.
+std::string differences(const std::filesystem::path& before, const std::filesystem::path& now) {
   Results a = load_results(before);
   Results b = load_results(now);
   a.name = before.string();
@@ -95,35 +76,10 @@ std::string counts(const RunSummary& summary) {
   return text;
 }
 
-// The report, with what is missing from it and, last, where to look.
-Report make_report(const std::filesystem::path& folder, const CommonArguments& common, Console& console) {
-  if (!common.tables_only) console.update("making the report", -1.0);
-  Report report = write_report_locked(folder, common.tables_only ? ReportParts::tables : ReportParts::all);
-  console.clear();
-  return report;
-}
-
-void say_written(const std::filesystem::path& folder, const Report& report, Console& console) {
-  for (const std::string& sentence : report.missing) console.line(sentence);
-  std::string text;
-  for (const std::string& name : report.written) {
-    text += fmt::format("{}{}/{}", text.empty() ? "" : ", ", folder.string(), name);
-  }
-  console.line("written: " + text);
-}
-
 int exit_code(const RunSummary& summary) {
   if (summary.failed == 0) return 0;
   const bool nothing_but_data = summary.data == summary.failed && summary.ok + summary.skipped + summary.reused == 0;
   return nothing_but_data ? 3 : 1;
-}
-
-Config config_of(const RunArguments& arguments, const Source& source) {
-  Config config = read_config(source.config, arguments.quick ? Size::quick : Size::full);
-  if (!source.name.empty()) config.name = source.name;
-  for (const std::string& setting : arguments.set) set_parameter(config, setting);
-  if (!arguments.seeds.empty()) config.seeds = arguments.seeds;
-  return config;
 }
 
 RunOptions options_of(const RunArguments& arguments, const CommonArguments& common) {
@@ -135,19 +91,21 @@ RunOptions options_of(const RunArguments& arguments, const CommonArguments& comm
   return options;
 }
 
-void say_stopped(const RunSummary& summary) {
-  fmt::print(stderr, "isobench: stopped ({}); nothing is half-done, the same command continues from here\n",
+int interrupted(const RunSummary& summary) {
+  fmt::print(stderr, "isobench: stopped ({}); no run is left half-done, and the same command continues from here\n",
              counts(summary));
+  return 130;
 }
 
-// Some cells of a plan as it was frozen: what a task of a cluster does. The report is for when all are done.
-int run_some(const RunArguments& arguments, const CommonArguments& common) {
+// Runs some cells of a results folder's plan, as a task on a cluster does. The report follows when all are done.
+int run_numbered_cells(const RunArguments& arguments, const CommonArguments& common) {
   const bool more =
       arguments.only != "*" || arguments.out || !arguments.set.empty() || !arguments.seeds.empty() || arguments.quick;
   if (more || !std::filesystem::is_directory(arguments.config)) {
     throw UsageError(
-        "--cells goes with a results folder alone, whose plan it takes as it is; freeze one by `isobench submit` or "
-        "begin one by `isobench run`");
+        "--cells goes with a results folder, and without --only, --out, --set, --seed and --quick: it takes the "
+        "folder's "
+        "plan as it is; `isobench run` and `isobench submit` make such a folder");
   }
   const std::vector<RunRequest> plan = read_plan(arguments.config);
   std::vector<RunRequest> cells;
@@ -159,39 +117,19 @@ int run_some(const RunArguments& arguments, const CommonArguments& common) {
   Console console(common.verbosity);
   const RunSummary summary =
       run_cells(Store(std::filesystem::canonical(arguments.config)), cells, options_of(arguments, common), console);
-  if (summary.interrupted) {
-    say_stopped(summary);
-    return 130;
-  }
-  console.line(
-      fmt::format("{}; the report, once all is done: isobench report {}", counts(summary), arguments.config.string()));
+  if (summary.interrupted) return interrupted(summary);
+  console.line(fmt::format("{}; when all cells are done, write the report: isobench report {}", counts(summary),
+                           arguments.config.string()));
   return exit_code(summary);
 }
 
 }  // namespace
 
-std::vector<RunRequest> read_plan(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "plan.json";
-  if (!std::filesystem::exists(path))
-    throw UsageError(folder.string() + " has no plan.json, so it is no results folder; give one, e.g. results/paper");
-  return plan_from_json(read_text(path), path.string());
-}
-
-FrozenPlan freeze_plan(const RunArguments& arguments) {
-  const Source source = source_of(arguments);
-  const Config config = config_of(arguments, source);
-  FrozenPlan frozen{source.out / config.name, make_plan(config)};
-  const Store store(frozen.folder, config, frozen.plan);
-  return frozen;
-}
-
 int run_verb(const RunArguments& arguments, const CommonArguments& common) {
-  if (!arguments.cells.empty()) return run_some(arguments, common);
-  const Source source = source_of(arguments);
-  const Config config = config_of(arguments, source);
+  if (!arguments.cells.empty()) return run_numbered_cells(arguments, common);
+  const auto [config, folder, copies] = choose_experiment(arguments);
   const std::vector<RunRequest> plan = make_plan(config);
   const std::vector<RunRequest> cells = selection(plan, arguments.only);
-  const std::filesystem::path folder = source.out / config.name;
   if (arguments.dry_run) {
     check_folder(folder, config);
     print_plan(folder, cells, arguments.force);
@@ -200,30 +138,15 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common) {
   Console console(common.verbosity);
   const Store store(folder, config, plan);
   const RunSummary summary = run_cells(store, cells, options_of(arguments, common), console);
-  if (summary.interrupted) {
-    say_stopped(summary);
-    return 130;
-  }
+  if (summary.interrupted) return interrupted(summary);
   const Report report = make_report(folder, common, console);
   console.line(fmt::format("{}: {}", config.name, counts(summary)));
   if (common.verbosity != Verbosity::quiet) {
-    fmt::print("{}", report.tables);
-    std::fflush(stdout);  // what follows on stderr comes after it
-    if (source.again_of) fmt::print("{}", what_differs(*source.again_of, folder));
+    print_tables(report);
+    if (copies) fmt::print("{}", differences(*copies, folder));
   }
-  say_written(folder, report, console);
+  print_written_files(folder, report, console);
   return exit_code(summary);
-}
-
-int report_verb(const std::filesystem::path& folder, const CommonArguments& common) {
-  Console console(common.verbosity);
-  const Report report = make_report(folder, common, console);
-  if (common.verbosity != Verbosity::quiet) {
-    fmt::print("{}", report.tables);
-    std::fflush(stdout);
-  }
-  say_written(folder, report, console);
-  return 0;
 }
 
 }  // namespace isobench

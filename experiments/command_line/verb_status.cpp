@@ -3,6 +3,7 @@
 #include <map>
 
 #include "isobench/experiments/cluster/submission.h"
+#include "isobench/experiments/command_line/frozen_plan.h"
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/reports/runs/results.h"
 
@@ -59,7 +60,7 @@ int status_verb(const fs::path& folder, const CommonArguments& common) {
     if (shown < numbers[where]) fmt::print("  and {} more {} (all: --verbose)\n", numbers[where] - shown, word);
   }
   if (!state.queue_known)
-    fmt::print("squeue cannot be asked here: what waits in a queue is counted as missing or failed\n");
+    fmt::print("squeue does not answer here: cells that wait in its queue are counted as missing or failed\n");
   return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "isobench/experiments/cluster/slurm.h"
 #include "isobench/experiments/cluster/submission.h"
+#include "isobench/experiments/command_line/frozen_plan.h"
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/plan/cell_numbers.h"
 #include "isobench/experiments/plan/plan.h"
@@ -20,17 +21,19 @@ namespace fs = std::filesystem;
 
 using Numbers = std::vector<std::size_t>;
 
-constexpr double minutes_a_task = 5.0;          // what a task should take, for Slurm's own cost to vanish beside it
-constexpr std::size_t tasks_of_unknown = 1000;  // at most, while nothing is known of how long cells take
+// Long enough that the time Slurm takes to start a task does not matter.
+constexpr double minutes_per_task = 5.0;
+// As long as no cell is done, nobody knows how long cells take; there are at most this many tasks then.
+constexpr std::size_t most_tasks_of_unknown_length = 1000;
 
-// For a shell, whatever is in it.
+// A text as one word for a shell.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
   return result + "'";
 }
 
-// Cells that no record, process or queue has.
+// Numbers of the cells that are missing or failed: neither done, nor running, nor waiting in a queue.
 Numbers cells_to_do(const FolderState& state) {
   Numbers numbers;
   for (std::size_t n = 0; n < state.cells.size(); ++n) {
@@ -42,9 +45,9 @@ Numbers cells_to_do(const FolderState& state) {
 }
 
 // Median seconds of the cells that are done; std::nullopt while there are none.
-std::optional<double> usual_seconds(const fs::path& folder, const std::vector<RunRequest>& plan,
-                                    const FolderState& state) {
-  constexpr std::size_t enough = 200;
+std::optional<double> median_seconds(const fs::path& folder, const std::vector<RunRequest>& plan,
+                                     const FolderState& state) {
+  constexpr std::size_t enough = 200;  // for a median
   std::vector<double> seconds;
   for (std::size_t n = 0; n < plan.size() && seconds.size() < enough; ++n) {
     if (state.cells[n].where != Whereabouts::done) continue;
@@ -67,33 +70,33 @@ class Submitter {
 
   int run() {
     const std::optional<FileLock> lock = FileLock::try_lock(folder_ / ".locks" / "submit");
-    if (!lock) throw Error(folder_.string() + ": another `isobench submit` is at work on it");
+    if (!lock) throw Error(folder_.string() + ": another `isobench submit` is submitting it; try again later");
     const FolderState state = folder_state(folder_, plan_);
     if (!state.queue_known)
-      throw Error("squeue cannot be asked what waits already; submitting now could do cells twice, so try again later");
+      throw Error("squeue does not answer: cells that are waiting already would be submitted twice; try again later");
     const Numbers to_do = cells_to_do(state);
     if (to_do.empty()) {
-      fmt::print("nothing to submit: of {} cells none is missing or failed; isobench status {}\n", plan_.size(),
+      fmt::print("nothing to submit: none of {} cells is missing or failed; isobench status {}\n", plan_.size(),
                  folder_.string());
       return 0;
     }
     fs::create_directories(slurm_folder(folder_));
-    chunk_ = arguments_.chunk.value_or(chunk_for(to_do.size(), usual_seconds(folder_, plan_, state)));
-    // What is matched to another run comes after it.
+    chunk_ = arguments_.chunk.value_or(chunk_for(to_do.size(), median_seconds(folder_, plan_, state)));
+    // Cells that are matched to another run start after it.
     Numbers first;
     Numbers second;
     for (const std::size_t number : to_do) (plan_[number - 1].match_to.empty() ? first : second).push_back(number);
     submit_arrays(first, "");
     submit_arrays(second, first.empty() ? "" : "afterany:" + fmt::format("{}", fmt::join(jobs_, ":")));
     const std::string report = submit_report();
-    say(to_do.size(), report);
+    print_jobs(to_do.size(), report);
     return 0;
   }
 
  private:
   std::size_t chunk_for(std::size_t cells, const std::optional<double>& seconds) const {
-    if (seconds) return std::max(std::size_t{1}, static_cast<std::size_t>(60.0 * minutes_a_task / (*seconds + 0.5)));
-    return (cells + tasks_of_unknown - 1) / tasks_of_unknown;
+    if (seconds) return std::max(std::size_t{1}, static_cast<std::size_t>(60.0 * minutes_per_task / (*seconds + 0.5)));
+    return (cells + most_tasks_of_unknown_length - 1) / most_tasks_of_unknown_length;
   }
 
   void submit_arrays(const Numbers& cells, const std::string& after) {
@@ -133,7 +136,8 @@ class Submitter {
     tasks_ += tasks;
   }
 
-  // From the experiment's own limits; the scheduler's come later, so that a run beyond its limit becomes a record.
+  // Time and memory for a task, from the limits of its cells. The margins let isobench stop a run at its own limit, and
+  // record that, before Slurm ends the task.
   std::vector<std::string> limit_words(const Numbers& cells) const {
     double minutes = 0.0;
     double memory_gb = 0.0;
@@ -148,7 +152,7 @@ class Submitter {
     }
     std::vector<std::string> words;
     const auto chunk = static_cast<double>(std::min(chunk_, cells.size()));
-    // Every cell at its limit and a minute for starting; one more for ending in peace after the warning signal.
+    // Each cell at its limit and a minute to start it; two more for an orderly end after the warning signal.
     if (all_timed) words.push_back(fmt::format("--time={}", std::lround(std::ceil(chunk * (minutes + 1.0) + 2.0))));
     if (all_bounded) words.push_back(fmt::format("--mem={}M", std::lround(std::ceil(memory_gb * 1000.0 + 500.0))));
     words.emplace_back("--signal=B:TERM@30");
@@ -163,7 +167,7 @@ class Submitter {
     const std::string threads = arguments_.exclusive ? "${SLURM_CPUS_ON_NODE:-0}" : "${SLURM_CPUS_PER_TASK:-1}";
     return fmt::format(
         "#!/bin/bash\n"
-        "# One task of a job array: the cells of its line in the list.\n"
+        "# A task of a job array: it runs the cells that its line of the list names.\n"
         "{}cells=$(sed -n \"$((SLURM_ARRAY_TASK_ID + 1))p\" {})\n"
         "exec {} run --quiet --threads \"{}\" --cells \"$cells\" {}\n",
         arguments_.exclusive ? "export ISOBENCH_EXCLUSIVE=1\n" : "", quoted(tasks.string()), quoted(program()), threads,
@@ -189,9 +193,9 @@ class Submitter {
     }
   }
 
-  void say(std::size_t cells, const std::string& report) const {
-    fmt::print("submitted {} of {} cells in {} tasks: job{} {}; the report is job {}\n", cells, plan_.size(), tasks_,
-               jobs_.size() > 1 ? "s" : "", fmt::join(jobs_, ", "), report);
+  void print_jobs(std::size_t cells, const std::string& report) const {
+    fmt::print("submitted {} of {} cells in {} tasks: job{} {}; job {} writes the report\n", cells, plan_.size(),
+               tasks_, jobs_.size() > 1 ? "s" : "", fmt::join(jobs_, ", "), report);
     fmt::print("watch:   isobench status {}\n", folder_.string());
     fmt::print("cancel:  scancel {} {}\n", fmt::join(jobs_, " "), report);
   }
@@ -212,8 +216,8 @@ int submit_verb(const SubmitArguments& arguments, const CommonArguments& common)
   const fs::path folder = fs::canonical(frozen.folder);
   if (!has_slurm()) {
     throw UsageError(fmt::format(
-        "there is no Slurm on this machine (no sbatch); the plan of {1} cells is in {0}: do it here with `isobench run "
-        "{0}`, or in parts on any machines that share the folder with `isobench run --cells 1-{1} {0}` and the like, "
+        "there is no Slurm on this machine: sbatch was not found; the plan of {1} cells is in {0}: run it here by "
+        "`isobench run {0}`, or in parts on machines that share the folder by `isobench run --cells 1-{1} {0}` and "
         "then `isobench report {0}`",
         folder.string(), frozen.plan.size()));
   }

@@ -1,6 +1,6 @@
-// The verbs of the command line, each in a verb_*.cpp; cli.cpp turns words into these structs.
-// Every verb returns the exit code: 0 done, 1 some runs failed, 2 usage, 3 data, 130 interrupted; 2 and 3 mostly come
-// as UsageError and DataError.
+// The verbs of the command line, each in verb_<name>.cpp, and their arguments, which command_line.cpp fills in.
+// A verb returns the program's exit code: 0 done, 1 some runs failed, 3 no run had usable data, 130 interrupted. It
+// throws UsageError (exit code 2) and DataError (3).
 #pragma once
 
 #include <cstdint>
@@ -20,47 +20,37 @@ namespace isobench {
 struct CommonArguments {
   int threads = 0;  ///< 0: all cores
   Verbosity verbosity = Verbosity::normal;
-  bool tables_only = false;  ///< of the verbs that make a report: no plots, pictures and page
+  bool tables_only = false;  ///< a report has no plots, pictures and page
 };
 
 struct RunArguments {
-  std::filesystem::path config;  ///< or a results folder, whose stored config is run
-  std::string only = "*";
-  std::optional<std::filesystem::path> out;  ///< default: "results", or where the results folder is
-  std::vector<std::string> set;              ///< key=value, over the config's
-  std::vector<std::uint64_t> seeds;          ///< in the place of the config's; empty: those
+  std::filesystem::path config;              ///< a config, or a results folder: its stored config is run
+  std::string only = "*";                    ///< a glob: see selected() in plan/plan.h
+  std::optional<std::filesystem::path> out;  ///< default: "results", or the folder that the results folder is in
+  std::vector<std::string> set;              ///< key=value, each replaces the config's value
+  std::vector<std::uint64_t> seeds;          ///< replace the config's seeds; empty: keep them
   int jobs = 1;
   bool force = false;
   bool dry_run = false;
   bool quick = false;
-  std::string cells;  ///< "3-7,12": these of a results folder's frozen plan alone, without a report; "": all
+  std::string cells;  ///< "3-7,12": run only these cells of a results folder's plan and write no report; "": all
 };
 int run_verb(const RunArguments& arguments, const CommonArguments& common);
 
-/// An experiment's plan, written into its results folder.
-struct FrozenPlan {
-  std::filesystem::path folder;
-  std::vector<RunRequest> plan;
-};
-/// Of a config, or of a results folder that has one; honours config, out, set, seeds and quick.
-FrozenPlan freeze_plan(const RunArguments& arguments);
-/// plan.json of a results folder. Throws UsageError where there is none.
-std::vector<RunRequest> read_plan(const std::filesystem::path& folder);
-
 struct SubmitArguments {
   RunArguments run;                     ///< which experiment
-  std::optional<std::size_t> chunk;     ///< cells a task; default: what takes five minutes, as far as that is known
+  std::optional<std::size_t> chunk;     ///< cells per task; default: as many as take five minutes, where that is known
   std::optional<std::size_t> throttle;  ///< tasks at a time
-  bool exclusive = false;               ///< a node for each task, its seconds marked so
-  std::vector<std::string> sbatch;      ///< words for sbatch
+  bool exclusive = false;               ///< a whole node for each task; its seconds are marked as measured alone
+  std::vector<std::string> sbatch;      ///< further arguments for sbatch
 };
-/// Hands the cells that are missing or failed to Slurm as job arrays, and a report after them.
+/// Submits the missing and failed cells to Slurm as job arrays, and after them a job that writes the report.
 int submit_verb(const SubmitArguments& arguments, const CommonArguments& common);
 
-/// Says where every cell of a results folder is.
+/// Prints where every cell of a results folder is: done, running, waiting, failed or missing.
 int status_verb(const std::filesystem::path& folder, const CommonArguments& common);
 
-/// Makes the reports of a results folder from what is stored.
+/// Writes the reports of a results folder from what is stored.
 int report_verb(const std::filesystem::path& folder, const CommonArguments& common);
 
 struct CompareArguments {
@@ -68,7 +58,7 @@ struct CompareArguments {
   std::filesystem::path b;
   double tolerance = 0.0;  ///< relative
 };
-/// What differs between two results folders; 1 where it is more than seconds, memory and provenance.
+/// Prints what differs between two results folders. Returns 1 if more differs than seconds, memory and circumstances.
 int compare_verb(const CompareArguments& arguments, const CommonArguments& common);
 
 struct MeshArguments {
@@ -80,6 +70,7 @@ struct MeshArguments {
   std::filesystem::path output;
   std::filesystem::path artefacts;  ///< folder for the medial axis, the sizing and the particles
 };
+/// Meshes one volume, prints the mesh's figures and writes it to a file.
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common);
 
 struct MeasureArguments {
@@ -92,22 +83,23 @@ struct MeasureArguments {
 };
 int measure_verb(const MeasureArguments& arguments, const CommonArguments& common);
 
-/// `topic` is datasets, methods, metrics, columns, experiments or empty for all of them.
+/// Prints what there is. `topic` is datasets, methods, metrics, columns, experiments, or empty for all of them.
 int list_verb(const std::string& topic);
+
+/// Downloads datasets into the cache, all of them where none is named, and prints the paths of their files.
 int fetch_verb(std::vector<std::string> datasets, const CommonArguments& common);
+
+/// Prints version, commit, compiler and libraries. Not a verb for the user, who asks by --version.
 int version_verb();
 
 struct CellArguments {
   std::filesystem::path plan;
   std::string run;
   std::filesystem::path folder;
-  std::optional<double> match_vertices;  ///< of a run with match_to
-  int progress_fd = -1;
+  std::optional<double> match_vertices;  ///< given exactly where the run has a match_to
+  int progress_fd = -1;                  ///< file descriptor to write progress to
 };
-/// Hidden: one run of a plan, started by `run` as a child process.
+/// Hidden from the user: does one run of a plan. `run` starts it as a child process.
 int cell_verb(const CellArguments& arguments, const CommonArguments& common);
-
-/// The whole command line.
-int command_line(int argc, char** argv);
 
 }  // namespace isobench

@@ -14,10 +14,11 @@ std::size_t read_number(const std::string& word, const std::string& words, std::
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, number);
   if (error != std::errc() || stop != end) {
-    throw UsageError(fmt::format("--cells '{}': '{}' is no number of a cell; give such as 3-7,12", words, word));
+    throw UsageError(fmt::format("--cells '{}': '{}' is not a cell number; expected a list like 3-7,12", words, word));
   }
   if (number < 1 || number > count) {
-    throw UsageError(fmt::format("--cells '{}': there is no cell {}; the plan has {}, from 1", words, number, count));
+    throw UsageError(
+        fmt::format("--cells '{}': there is no cell {}; the plan has cells 1 to {}", words, number, count));
   }
   return number;
 }

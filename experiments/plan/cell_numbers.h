@@ -1,4 +1,4 @@
-// Cells of a plan by number, as `isobench run --cells 3-7,12` and the tasks of a cluster name them.
+// Lists of cell numbers, "3-7,12", as `isobench run --cells` takes them and the tasks of a cluster name them.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace isobench {
 
-/// "3-7,12" as {3, 4, 5, 6, 7, 12}: ascending, no number twice, counted from 1. Throws UsageError, naming the words,
-/// for anything else, for a range that runs backwards and for numbers beyond `count`, the cells that there are.
+/// "3-7,12" gives {3, 4, 5, 6, 7, 12}: ascending, no number twice. Cells count from 1 to `count`. Throws UsageError for
+/// other words, a range that runs backwards and a number that no cell has.
 std::vector<std::size_t> parse_cell_numbers(const std::string& words, std::size_t count);
 
-/// The same the other way round: ascending numbers in as few words as they can be said.
+/// The inverse: the shortest list of these ascending numbers.
 std::string cell_numbers_text(const std::vector<std::size_t>& numbers);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// An experiment as its TOML file says it; see experiments/paper.toml for the whole of the schema in use.
+// An experiment as its TOML file describes it. experiments/README.md explains every key.
 #pragma once
 
 #include <cstdint>
@@ -14,60 +14,62 @@
 
 namespace isobench {
 
-/// [sampling]: lists make a grid. Exactly one of (epsilon and delta), edge_length (mm), vertices.
+/// [sampling]: how long edges shall be. Exactly one kind of sizing: epsilon and delta, edge_length, or vertices.
+/// Several values make a grid.
 struct Sampling {
   std::vector<double> epsilon;
   std::vector<double> delta;
-  std::vector<double> edge_length;
+  std::vector<double> edge_length;  ///< mm
   std::vector<double> vertices;
   std::vector<double> floor;  ///< voxels; empty: the default of SizingRequest
   Place place;
 };
 
-/// [limits]: for every run alike; not set: none.
+/// [limits]: of each run; no limit where not set.
 struct Limits {
   std::optional<double> minutes;
-  std::optional<double> memory_gb;
+  std::optional<double> memory_gb;  ///< 10⁹ bytes
 };
 
-/// [[override]]: for some datasets, some methods (by name or label), or the runs where both agree.
+/// [[override]]: other values for the runs of some datasets, of some methods, or of both.
 struct Override {
   std::vector<std::string> datasets;  ///< empty: all
-  std::vector<std::string> methods;   ///< empty: all
+  std::vector<std::string> methods;   ///< names or labels; empty: all
   Sampling sampling;
   Limits limits;
   std::optional<bool> artefacts;
 };
 
-/// [[method]]: a method and its own parameters; several values of one make a grid.
+/// [[method]]: a method and its parameters. Several values of a parameter make a grid.
 struct MethodEntry {
   std::string name;
-  std::string label;
+  std::string label;  ///< tells apart several entries of one method; the name by default
   std::map<std::string, std::vector<ParameterValue>> parameters;
   Place place;
 };
 
-/// [[vary]]: every run of the base again with one value changed, once for each of these; an ablation, where lists
-/// would make a grid. It goes over overrides: what is varied is varied everywhere.
+/// [[vary]]: one value changed at a time, as an ablation needs it. Without variations an experiment has its base runs;
+/// each value here adds all of them again with that one change. It replaces the value of an override, too.
 struct Variation {
   std::string table;   ///< "sampling", "method" or "reference": the part of the key before the first dot
-  std::string method;  ///< of table "method": label, or name, of the entries that it changes
-  std::string name;    ///< what is changed: the part of the key after the last dot
+  std::string method;  ///< of table "method": label or name of the entries that it changes
+  std::string name;    ///< the key within the table, or the parameter: the part of the key after the last dot
   std::vector<ParameterValue> values;
   Place place;
 
-  /// Whether runs of this entry change at all.
+  /// Whether it changes the runs of this entry.
   bool changes(const MethodEntry& entry) const;
 };
 
-/// match = "vertices", match_to = "…": quality at different counts is no comparison, so every other run of a row (same
-/// dataset, sizing, reference k, seed and repeat) is brought to the number of vertices that this entry's run came to.
+/// match = "vertices" with match_to = "…": the quality of meshes can be compared only at equal numbers of vertices. The
+/// sizing of every other run of a row is scaled until its mesh has as many as the mesh of this entry. The runs of a row
+/// have dataset, sizing, reference k, seed and repeat in common.
 struct Match {
-  std::string to;  ///< label, or name, of a method entry
+  std::string to;  ///< label of a method entry
   Place place;
 };
 
-/// [[also]]: a further grid, for a figure of its own. Its runs stay out of the tables that compare.
+/// [[also]]: runs beside those of the experiment, for a figure that needs its own. Tables of comparison leave them out.
 struct Aside {
   std::vector<std::string> datasets;
   std::vector<std::uint64_t> seeds{1};
@@ -76,13 +78,14 @@ struct Aside {
 };
 
 struct Config {
-  std::string name;  ///< the file's stem, and "-quick" where [quick] was applied
+  std::string
+      name;  ///< of the results folder: the file's name without ".toml", with "-quick" where [quick] was applied
   std::string title;
   std::vector<std::string> datasets;
   std::vector<std::uint64_t> seeds{1};
-  int repeats = 1;         ///< runs of every cell, for the spread of their seconds
-  bool timing = false;     ///< runs go one at a time whatever --jobs says; by default where there are repeats
-  bool artefacts = false;  ///< runs leave their medial axis, sizing and particles behind as VTP points
+  int repeats = 1;         ///< how often each run is made, for the spread of its seconds
+  bool timing = false;     ///< one run at a time, whatever --jobs says; the default where repeats > 1
+  bool artefacts = false;  ///< runs also keep medial axis, sizing and particles, as VTP points
   Sampling sampling;
   std::vector<Override> overrides;
   std::vector<Variation> variations;
@@ -94,30 +97,33 @@ struct Config {
   std::optional<std::filesystem::path> published;
 };
 
-enum class Size { full, quick };
+/// The experiment as it is, or the smaller one that its [quick] describes.
+enum class ConfigVariant { full, quick };
 
 /// Reads and checks a config. Every mistake is a UsageError with file, line and column: unknown keys, methods, datasets
-/// and parameters (with the nearest valid name), numbers that are not finite and positive, none or several kinds of
-/// sizing, empty lists, labels used twice, overrides and variations that touch nothing, a match to no or several
-/// entries.
-Config read_config(const std::filesystem::path& path, Size size = Size::full);
+/// and parameters (with the nearest valid name), numbers that are not finite and positive, no kind of sizing or
+/// several, empty lists, labels used twice, overrides and variations that change no run, a match to no entry or to
+/// several.
+Config read_config(const std::filesystem::path& path, ConfigVariant variant = ConfigVariant::full);
 
-/// Gives every method entry that has a parameter of this name the value, in the place of what the config says:
-/// "key=value" of the command line. Throws UsageError where no entry has it or the value is out of its range.
+/// Sets a parameter, "key=value", in every method entry that has it, and so replaces the config's values. Throws
+/// UsageError where no entry has it or the value is out of its range.
 void set_parameter(Config& config, const std::string& setting);
 
-/// `base` changed by an override: another kind of sizing replaces the base's, the same kind only the values given.
+/// `base` with the changes of an override. Another kind of sizing replaces that of the base; the same kind replaces
+/// only the values that it gives.
 Sampling merged(const Sampling& base, const Sampling& change);
 /// Throws UsageError at the sampling's place unless it asks for exactly one kind of sizing.
 void check_kind(const Sampling& sampling);
 
-/// What a [[vary]] of [sampling] puts over the base; empty for another table.
+/// The change that a [[vary]] of [sampling] makes to the base; an empty one for other tables.
 Sampling variation_sampling(const Variation& variation, const ParameterValue& value);
 
-/// The config as TOML again, everything resolved; reading it gives the same plan. `published` names the copied file.
+/// The config as TOML, with [quick] applied or left out; read again, it gives the same plan. `published` is the path to
+/// write for the published figures.
 std::string to_toml(const Config& config, const std::string& published);
-/// What decides the runs of a config: two configs of equal identity may share a results folder. Title, limits, labels,
-/// artefacts and published figures are not part of it.
+/// A text that is equal for two configs exactly where they have the same runs, so that they may share a results folder.
+/// Title, limits, labels, artefacts and published figures make no difference.
 std::string identity(const Config& config);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// Configs with the plans that are made of them, and --set.
+// Fuzz targets: configs with their plans, and --set.
 #include <algorithm>
 
 #include "isobench/experiments/plan/config.h"
@@ -10,7 +10,7 @@ namespace isobench {
 
 namespace {
 
-/// A plan of thousands of runs shows no more than one of a few, and takes longer.
+/// Whether a config has so many runs that its plan takes long. Small plans find the same mistakes.
 bool is_large(const Config& config) {
   std::size_t runs = config.seeds.size() * static_cast<std::size_t>(config.repeats) * config.reference_k.size() *
                      (config.variations.size() + 1) * config.datasets.size();
@@ -29,7 +29,7 @@ bool is_large(const Config& config) {
   return runs > 500;
 }
 
-/// What a results folder keeps of a config must be read again as the same one.
+/// The config that a results folder keeps must be read again as the same one.
 void check_config(Config config) {
   require(is_plain_name(config.name), "a results folder stays where it is");
   if (is_large(config)) return;
@@ -46,7 +46,7 @@ void check_config(Config config) {
 bool fuzz_config(std::string_view bytes) {
   const std::filesystem::path path = fuzz_file("config.toml", bytes);
   accepts([&] {
-    check_config(read_config(path, Size::quick));
+    check_config(read_config(path, ConfigVariant::quick));
     return true;
   });
   return accepts([&] {

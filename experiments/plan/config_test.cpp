@@ -27,7 +27,9 @@ fs::path write(const std::string& text, const std::string& name = "config.toml")
   return folder.write(name, text);
 }
 
-Config read(const std::string& text, Size size = Size::full) { return read_config(write(text), size); }
+Config read(const std::string& text, ConfigVariant variant = ConfigVariant::full) {
+  return read_config(write(text), variant);
+}
 
 // The message of the UsageError that reading gives; "" where there is none.
 std::string mistake(const std::string& text) {
@@ -95,7 +97,8 @@ TEST(ConfigErrors, ListsLabelsAndOverrides) {
   expect_mistake(std::string(plain) + "[[method]]\nname = \"marching-cubes\"\n", {"config.toml:7:", "used twice"});
   expect_mistake(std::string(plain) + "[[method]]\nname = \"marching-cubes\"\nlabel = \"again\"\n", {"the same run"});
   expect_mistake(std::string(plain) + "[[override]]\ndataset = \"skull\"\n", {"config.toml:8:", "no dataset 'skull'"});
-  expect_mistake(std::string(plain) + "[[override]]\nsampling = { epsilon = 1 }\n", {"config.toml:7:", "neither"});
+  expect_mistake(std::string(plain) + "[[override]]\nsampling = { epsilon = 1 }\n",
+                 {"config.toml:7:", "needs dataset or method"});
   expect_mistake(std::string(plain) + "[[override]]\ndataset = \"torus\"\nsampling = { epsilon = 1, vertices = 9 }\n",
                  {"config.toml:9:", "several sizes"});
   expect_mistake(std::string(plain) + "[published]\nsource = \"nowhere.toml\"\n", {"config.toml:8:", "nowhere.toml"});
@@ -105,13 +108,13 @@ TEST(ConfigErrors, ListsLabelsAndOverrides) {
 
 TEST(Config, QuickReplacesWhatItNames) {
   const std::string text = std::string(plain) + "[quick]\ndataset = \"slab\"\nsampling = { epsilon = 1 }\n";
-  const Config quick = read(text, Size::quick);
+  const Config quick = read(text, ConfigVariant::quick);
   EXPECT_EQ(quick.name, "config-quick");
   EXPECT_EQ(quick.datasets, std::vector<std::string>{"slab"});
   EXPECT_EQ(quick.sampling.epsilon, std::vector<double>{1.0});
   EXPECT_EQ(quick.sampling.delta, std::vector<double>{0.3});
   EXPECT_EQ(read(text).datasets.size(), 2U);
-  EXPECT_THROW(read(plain, Size::quick), UsageError);
+  EXPECT_THROW(read(plain, ConfigVariant::quick), UsageError);
 }
 
 TEST(Config, QuickForgetsWhatIsAboutThingsItLeavesOut) {
@@ -137,12 +140,12 @@ values = [0.1]
 dataset = "torus"
 method = "marching-cubes"
 )";
-  const Config quick = read(text, Size::quick);
+  const Config quick = read(text, ConfigVariant::quick);
   ASSERT_EQ(quick.overrides.size(), 1U);
   EXPECT_EQ(quick.overrides[0].datasets, std::vector<std::string>{"torus"});
   ASSERT_EQ(quick.variations.size(), 1U);
   EXPECT_EQ(quick.variations[0].name, "delta");
-  // What a results folder keeps is the quick config alone, and it is read back at the next run.
+  // A results folder keeps the quick config alone; the next run reads it back.
   const Config stored = read_config(write(to_toml(quick, ""), "stored.toml"));
   EXPECT_EQ(identity(stored), identity(quick));
   EXPECT_EQ(plan_to_json(make_plan(stored)), plan_to_json(make_plan(quick)));
@@ -257,7 +260,7 @@ TEST(ConfigErrors, NamesThatWouldLeaveTheResultsFolder) {
     expect_mistake(replaced(plain, "\"torus\"", fmt::format("\"{}\"", dataset)), {"config.toml:1:", "unknown dataset"});
   }
   expect_mistake(replaced(plain, "marching-cubes", "../marching-cubes"), {"config.toml:6:", "unknown method"});
-  // A manifest of the user's own that is there, but whose name would be no folder's.
+  // A manifest that exists, but whose name cannot be that of a folder.
   const std::string manifest = "title = \"P\"\n[phantom]\nname = \"torus\"\nnodes = 64\n";
   const fs::path hidden = write(manifest, ".tmp-own.toml");
   expect_mistake(replaced(plain, "\"torus\"", fmt::format("\"{}\"", hidden.string())), {".tmp-own.toml", "rename it"});
@@ -301,8 +304,8 @@ TEST(Config, RepeatsAreTimedUnlessItSaysOtherwise) {
   EXPECT_TRUE(read(std::string("repeats = 3\n") + plain).timing);
   EXPECT_FALSE(read(std::string("repeats = 3\ntiming = false\n") + plain).timing);
   EXPECT_TRUE(read(std::string("timing = true\n") + plain).timing);
-  EXPECT_TRUE(read(std::string(plain) + "[quick]\nrepeats = 2\n", Size::quick).timing);
-  EXPECT_FALSE(read("timing = false\n" + std::string(plain) + "[quick]\nrepeats = 2\n", Size::quick).timing);
+  EXPECT_TRUE(read(std::string(plain) + "[quick]\nrepeats = 2\n", ConfigVariant::quick).timing);
+  EXPECT_FALSE(read("timing = false\n" + std::string(plain) + "[quick]\nrepeats = 2\n", ConfigVariant::quick).timing);
   EXPECT_NE(identity(read(plain)), identity(read(std::string("timing = true\n") + plain)));
 }
 
@@ -327,21 +330,22 @@ TEST(Config, SetReplacesAParameterOfEveryMethodThatHasIt) {
   EXPECT_THROW(set_parameter(config, "swepes=7"), UsageError);
 }
 
-// What README.md promises must be so: every key that it shows is read, and gives the runs that it speaks of.
+// The example of README.md must work: every key that it shows is read, and gives the runs that it describes.
 TEST(Config, TheExampleOfThePageIsAnExperiment) {
-  const std::string page = text_of(fs::path(ISOBENCH_EXPERIMENTS) / "README.md");
+  const std::string page = read_text(fs::path(ISOBENCH_EXPERIMENTS) / "README.md");
   const std::size_t begin = page.find("```toml\n") + 8;
   const std::string example = page.substr(begin, page.find("```\n", begin) - begin);
   const fs::path path = write(example, "example.toml");
   fs::create_directories(path.parent_path() / "published");
   fs::copy_file(fs::path(ISOBENCH_EXPERIMENTS) / "published" / "meyer-2007.toml",
                 path.parent_path() / "published" / "meyer-2007.toml", fs::copy_options::overwrite_existing);
-  // Two data sets, the torus at one ε; the entries of particles, one of which is two, have two variations each.
+  // Two data sets, the torus at one ε. The three variants of particles have two variations each; marching cubes has
+  // none.
   const std::size_t rows = 1 + 2;
   const std::size_t of_a_row = (1 + 2) * (1 + 2) + 1;
   const std::size_t aside = 2 * 2;
   EXPECT_EQ(make_plan(read_config(path)).size(), rows * of_a_row * 3 * 2 + aside);
-  EXPECT_EQ(make_plan(read_config(path, Size::quick)).size(), of_a_row * 2 + aside);
+  EXPECT_EQ(make_plan(read_config(path, ConfigVariant::quick)).size(), of_a_row * 2 + aside);
 }
 
 TEST(Config, IdentityIsOfWhatDecidesTheRuns) {
@@ -353,7 +357,7 @@ TEST(Config, IdentityIsOfWhatDecidesTheRuns) {
   const std::string varied = std::string(plain) + "[[vary]]\nkey = \"sampling.delta\"\nvalues = [0.1]\n";
   EXPECT_NE(identity(config), identity(read(varied)));
   EXPECT_NE(identity(read(varied)), identity(read(replaced(varied, "0.1", "0.2"))));
-  // Two entries of one method, each varied: not the same experiment, though all but labels is.
+  // Two entries of one method: to vary the one or the other makes different experiments, though only labels differ.
   const std::string two = replaced(plain, "marching-cubes", "particles") +
                           "label = \"a\"\n[[method]]\nname = \"particles\"\nlabel = \"b\"\nsweeps = 5\n";
   const auto of = [&two](const std::string& label) {

@@ -13,7 +13,8 @@ namespace isobench {
 
 namespace {
 
-// FNV-1a, folded to 32 bits: the name only has to tell runs apart, and a stored record is compared with the whole key.
+// FNV-1a, folded to 32 bits. That is enough to tell apart the runs of a folder: a stored record is compared with the
+// whole key, not with its hash.
 std::uint32_t hash(const std::string& text) {
   std::uint64_t value = 14695981039346656037ULL;
   for (const char c : text) {
@@ -25,7 +26,7 @@ std::uint32_t hash(const std::string& text) {
 
 std::string text(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : "-"; }
 
-// One value of a [[vary]]; without a variation: the base.
+// One value of a [[vary]]; without a variation, no change: the base.
 struct Change {
   const Variation* variation = nullptr;
   ParameterValue value;
@@ -47,7 +48,7 @@ struct ParameterVariant {
   Parameters parameters;
 };
 
-// One variant a combination of listed parameter values; the label says what differs.
+// A variant for each combination of the listed parameter values. Its label says what tells it from the others.
 std::vector<ParameterVariant> variants(const MethodEntry& entry, const Method& found, const Change& change) {
   std::vector<ParameterVariant> result = {{entry.label, Parameters(found.parameters)}};
   for (const auto& [name, values] : entry.parameters) {
@@ -107,16 +108,16 @@ bool applies(const Override& change, const std::string& dataset, const MethodEnt
   return dataset_agrees && method_agrees;
 }
 
-// What overrides and variations can change.
-struct Circumstances {
+// The part of a run that overrides and variations can change.
+struct Settings {
   Sampling sampling;
   Limits limits;
   bool artefacts = false;
 };
 
-// Of one dataset and method: later overrides on top of earlier ones, what is varied on top of all.
-Circumstances resolve(const Config& config, const std::string& dataset, const MethodEntry& entry, const Change& vary) {
-  Circumstances all{config.sampling, config.limits, config.artefacts};
+// The settings of one dataset and method. Later overrides replace earlier ones; a variation replaces them all.
+Settings resolve(const Config& config, const std::string& dataset, const MethodEntry& entry, const Change& vary) {
+  Settings all{config.sampling, config.limits, config.artefacts};
   for (const Override& change : config.overrides) {
     if (!applies(change, dataset, entry)) continue;
     all.sampling = merged(all.sampling, change.sampling);
@@ -129,14 +130,14 @@ Circumstances resolve(const Config& config, const std::string& dataset, const Me
   return all;
 }
 
-// What a slip of the pen asks for, before it fills the memory.
+// A plan of more runs would fill the memory; it is a slip of the pen.
 constexpr double most_runs = 100000.0;
 
 void check_number(double runs) {
   if (runs > most_runs) {
     throw UsageError(
-        fmt::format("this experiment asks for {:.0f} runs or more where at most {:.0f} are possible; shorten "
-                    "its lists or make several experiments of it",
+        fmt::format("this experiment has {:.0f} runs or more, but at most {:.0f} are possible; shorten its lists or "
+                    "make several experiments of it",
                     runs, most_runs));
   }
 }
@@ -190,7 +191,7 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
   return runs;
 }
 
-// Of several, the one that has the same place in the grid; nullptr where there is none.
+// The candidate with the same sizing, reference k, seed and repeat; nullptr where there is none.
 const RunRequest* same_row(const std::vector<RunRequest>& candidates, const RunRequest& request) {
   const auto agrees = [&request](const RunRequest& other) {
     return sizing_text(other.sizing) == sizing_text(request.sizing) && other.sizing.floor == request.sizing.floor &&
@@ -200,14 +201,15 @@ const RunRequest* same_row(const std::vector<RunRequest>& candidates, const RunR
   return found == candidates.end() ? nullptr : &*found;
 }
 
-// Says of each run to which other it is to be matched; runs that are themselves what others are matched to stay free.
+// Sets match_to of each run, except of those that the others are matched to.
 void match_rows(const Config& config, const std::string& dataset, const MethodEntry& entry, const Change& change,
                 std::vector<RunRequest>& runs) {
   if (!config.match) return;
   const MethodEntry& reference =
       *std::find_if(config.methods.begin(), config.methods.end(),
                     [&config](const MethodEntry& candidate) { return candidate.label == config.match->to; });
-  // What varies the sizing varies a whole row; what varies a method leaves the row with its base.
+  // A variation of the sizing changes all runs of a row. A variation of a method leaves the others as they are, so its
+  // runs are matched to the base.
   const bool of_method = change.of("method");
   if (&reference == &entry && !of_method) return;
   const std::vector<RunRequest> candidates = runs_of(config, dataset, reference, of_method ? Change{} : change);
@@ -215,8 +217,8 @@ void match_rows(const Config& config, const std::string& dataset, const MethodEn
     const RunRequest* other = same_row(candidates, request);
     if (other == nullptr) {
       throw UsageError(config.match->place,
-                       fmt::format("'{}' on {} at {} has no run of '{}' at the same sizing to be matched to; let no "
-                                   "[[override]] set them apart",
+                       fmt::format("'{}' on {} at {} cannot be matched: '{}' has no run at the same sizing there; give "
+                                   "both the same [[override]]",
                                    request.label, dataset, sizing_text(request.sizing), config.match->to));
     }
     request.match_to = other->run;
@@ -224,29 +226,29 @@ void match_rows(const Config& config, const std::string& dataset, const MethodEn
   }
 }
 
-// By run: the label that asks for it.
+// The label that asked for a run first, by the run's name.
 using Seen = std::map<std::string, std::string>;
 
-// The base of a dataset and method, in which no run may be there already.
+// Adds base runs. None of them may be in the plan already.
 void add_base(const std::vector<RunRequest>& runs, Seen& seen, std::vector<RunRequest>& plan) {
   for (const RunRequest& request : runs) {
     const auto [place, fresh] = seen.emplace(request.run, request.label);
     if (!fresh) {
-      throw UsageError(fmt::format("'{}' and '{}' ask for the same run {}; remove one of them or change a parameter",
+      throw UsageError(fmt::format("'{}' and '{}' ask for the same run {}; remove one of them, or change a parameter",
                                    place->second, request.label, request.run));
     }
     plan.push_back(request);
   }
 }
 
-// Two variations may meet, and one of their values may be the base's: that is one run.
+// Adds runs of a variation. A run that the base or another variation has, too, is made once.
 void add_variation(const std::vector<RunRequest>& runs, Seen& seen, std::vector<RunRequest>& plan) {
   for (const RunRequest& request : runs) {
     if (seen.emplace(request.run, request.label).second) plan.push_back(request);
   }
 }
 
-// An [[also]], as an experiment of its own.
+// Adds the runs of an [[also]], which is planned as an experiment of its own.
 void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector<RunRequest>& plan) {
   Config own;
   own.seeds = aside.seeds;
@@ -302,7 +304,7 @@ std::string run_name(const RunRequest& r) {
   if (r.sizing.epsilon) size = fmt::format("e{}-d{}", *r.sizing.epsilon, text(r.sizing.delta));
   if (r.sizing.edge_length) size = fmt::format("l{}", *r.sizing.edge_length);
   if (r.sizing.vertices) size = fmt::format("n{}", *r.sizing.vertices);
-  // A dataset may be the path of a manifest of the user's own.
+  // A dataset may be the path of a manifest that the user wrote.
   const std::string dataset = std::filesystem::path(r.dataset).stem().string();
   const std::string repeat = r.repeat > 1 ? fmt::format("r{}-", r.repeat) : "";
   return fmt::format("{}-{}-{}-s{}-{}{:08x}", dataset, r.method, size, r.seed, repeat, hash(result_key(r)));

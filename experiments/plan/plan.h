@@ -1,4 +1,4 @@
-// Which runs an experiment consists of.
+// The runs that an experiment consists of.
 #pragma once
 
 #include <string>
@@ -9,22 +9,24 @@
 
 namespace isobench {
 
-/// Every run of a config, datasets outermost: each combination of dataset, method entry, its parameters, sampling,
-/// reference k, seed and repeat, that base once and then once more for each value of each [[vary]], no run twice. Needs
-/// no data: checksums are of what the catalogue declares. Throws UsageError for two entries that are one run.
+/// All runs of a config, ordered by dataset first. The base has a run for each combination of dataset, method entry,
+/// values of its parameters, sampling, reference k, seed and repeat; each value of each [[vary]] adds the base again
+/// with that change. No run comes twice. Needs no data: checksums are those that the catalogue declares. Throws
+/// UsageError where two method entries ask for the same run.
 std::vector<RunRequest> make_plan(const Config& config);
 
-/// Everything that determines a run's result, as text: dataset and its checksum, method and its revision, parameters,
-/// sizing, seed, repeat, reference k, the metrics' revision. Limits, label and threads do not.
+/// Everything that determines the result of a run, as text: dataset and its checksum, method and its revision,
+/// parameters, sizing, match, seed, repeat, reference k, and the revision of the metrics. Limits, label and number of
+/// threads do not determine it.
 std::string result_key(const RunRequest& request);
 
-/// "skull-particles-e0.5-d0.3-s1-1f2a9c3e": the tail is a hash of result_key().
+/// The name of a run and of its folder, "skull-particles-e0.5-d0.3-s1-1f2a9c3e". It ends with a hash of result_key().
 std::string run_name(const RunRequest& request);
 
 /// "e0.5 d0.3", "edge 2.2 mm", "50000 vertices".
 std::string sizing_text(const SizingRequest& sizing);
 
-/// Whether a run is meant by --only: a glob over "dataset/label", "dataset/method" or the run's name.
+/// Whether the glob of --only matches "dataset/label", "dataset/method" or the name of the run.
 bool selected(const RunRequest& request, const std::string& glob);
 
 }  // namespace isobench

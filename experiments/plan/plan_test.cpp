@@ -109,7 +109,7 @@ TEST(Plan, VariesOneThingAtATimeFromOneBase) {
   for (const RunRequest& r : plan_of(ablation())) {
     names.push_back(fmt::format("{} {} {}", r.dataset, r.label, *r.sizing.epsilon));
   }
-  // The default is the base, which is there once. What is varied goes over the sphere's override.
+  // The default is the base, which comes once. A variation of epsilon replaces the sphere's override.
   const std::string more = fmt::format("particles sweeps={}", around_the_default()[0]);
   const std::string most = fmt::format("particles sweeps={}", around_the_default()[2]);
   EXPECT_EQ(names, (std::vector<std::string>{
@@ -293,7 +293,7 @@ method = { name = "particles", label = "unfinished", finish = 0 }
     EXPECT_EQ(request.label == "unfinished", request.aside);
   }
   EXPECT_TRUE(plan_from_json(plan_to_json(plan), "plan").back().aside);
-  // What a results folder keeps of it gives the same plan; to keep artefacts or not is no other experiment.
+  // The config that a results folder keeps gives the same plan. Keeping artefacts does not make another experiment.
   const TestFolder folder;
   const Config config = read_config(folder.write("config.toml", text));
   const Config stored = read_config(folder.write("stored.toml", to_toml(config, "")));

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <new>
 
-#include "isobench/experiments/plan/matching.h"
+#include "isobench/experiments/plan/vertex_match.h"
 #include "isobench/experiments/runner/fault_injection.h"
-#include "isobench/foundation/processes.h"
+#include "isobench/foundation/processes/process_table.h"
 #include "isobench/methods/mesh/mesh_checksum.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/method.h"
@@ -16,7 +16,7 @@ namespace isobench {
 
 namespace {
 
-// The sizing is a stage of whatever stage of the method asked for it.
+// The sizing is computed when a stage of the method first needs it, so it is a part of that stage.
 double sizing_seconds(const Monitor& monitor) {
   double seconds = 0.0;
   for (const StageTime& stage : monitor.stages()) {
@@ -55,8 +55,8 @@ TriangleMesh mesh(const MeshingTask& task, const RunRequest& request, Monitor& m
   return made;
 }
 
-// The try that comes nearest to the number of vertices, with its own seconds, counters and traces: what the other tries
-// took is the search's, not the method's.
+// Meshes until the number of vertices matches and keeps the nearest mesh. Only the seconds, counters and traces of that
+// attempt are kept: the other attempts are a cost of the search, not of the method.
 TriangleMesh mesh_matched(const Dataset& dataset, const RunRequest& request, double vertices, Monitor& monitor,
                           RunRecord& record) {
   const Monitor::Bookings before = monitor.bookings();
@@ -95,7 +95,7 @@ TriangleMesh load_and_mesh(const RunRequest& request, std::optional<double> matc
 }  // namespace
 
 double peak_memory_mb() {
-  // Not getrusage: that counts what the parent had before exec, this starts with the program.
+  // getrusage() would include the memory of the parent before exec.
   return peak_resident_bytes(getpid()) / 1e6;
 }
 
@@ -135,7 +135,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     result = mesh(task, request, monitor);
     record.peak_memory_mb = std::max(peak_memory_mb(), monitor.program_memory_mb());
   }
-  monitor.keep_artefacts(false);  // what follows is for the measurement
+  monitor.keep_artefacts(false);  // the sizing below is for the measurement
   const Monitor::Stage stage = monitor.stage("measure");
   std::shared_ptr<const SizingField> sizing;
   if (!is_empty(request.sizing)) {
@@ -165,7 +165,7 @@ CellResult run_cell(const RunRequest& request, std::optional<double> match_verti
     result.exit_code = 0;
   } catch (const DataError& error) {
     record.reason = error.what();
-    // Once the data are loaded it is the mesh that is bad, not they.
+    // After the data were loaded, a DataError is about the mesh.
     result.exit_code = record.dataset ? 1 : 3;
   } catch (const std::bad_alloc&) {
     record.status = Status::out_of_memory;

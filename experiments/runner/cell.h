@@ -12,33 +12,33 @@ namespace isobench {
 /// Peak memory of this process so far, MB (10⁶ bytes).
 double peak_memory_mb();
 
-/// Meshes a loaded dataset as the request says (stages "mesh" and "measure" of the monitor), fills in the record's
-/// sizing, measurement, seconds and peak memory, and gives the mesh, in the lattice frame and with its data arrays.
-/// The record's seconds_prepare and stages are set from the monitor. Throws what the method and the metrics throw.
+/// Meshes and measures a loaded dataset as requested (stages "mesh" and "measure"). Writes sizing, measurement and peak
+/// memory into the record. Returns the mesh in the lattice frame, with its data arrays. Throws what the method and the
+/// metrics throw.
 ///
-/// With `match_vertices` the method's sizing is scaled until its mesh has about so many (VertexMatch), and the nearest
-/// mesh is kept; it is measured against the sizing as it was asked for.
+/// `match_vertices` scales the sizing of the method until the mesh has about this number of vertices (VertexMatch) and
+/// keeps the mesh that comes nearest. That mesh is measured against the sizing of the request, not the scaled one.
 TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record,
                               std::optional<double> match_vertices = std::nullopt);
 
-/// What a record says of a loaded dataset.
+/// The part of a record that describes a loaded dataset.
 DatasetRecord describe(const Dataset& dataset);
 
-/// A record with everything in it that is known before a run: request, environment, time, threads.
+/// A record with everything that is known before a run: request, environment, time and threads.
 RunRecord begin_record(const RunRequest& request, int threads);
 
-/// Who measures a stored mesh again: this program, now.
+/// The note in a record that this program measured its mesh again, now.
 MeasuredAgain measured_now();
 
 /// How a run ended.
 struct CellResult {
   RunRecord record;
-  int exit_code = 0;  ///< 0 recorded as ok or skipped, 1 failed, 3 failed for want of usable data
+  int exit_code = 0;  ///< 0: ok or skipped, 1: failed, 3: failed because the data are unusable
 };
 
-/// The whole run of a planned cell: writes run.json and, if it came to one, mesh.vtp (world coordinates) into `folder`,
-/// beside it the artefacts that were asked for. Errors become the record's status and reason. `match_vertices` is given
-/// exactly where the request has match_to.
+/// Does the whole run of a planned cell. Writes run.json into `folder`, and mesh.vtp (world coordinates) and the
+/// requested artefacts if there is a mesh. Errors become status and reason of the record. `match_vertices` must be
+/// given if and only if the request has match_to.
 CellResult run_cell(const RunRequest& request, std::optional<double> match_vertices,
                     const std::filesystem::path& folder, int threads, Monitor& monitor);
 

@@ -2,32 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <deque>
-#include <fstream>
-
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
-#include "isobench/foundation/processes.h"
+#include "isobench/foundation/files/whole_files.h"
 
 namespace isobench {
 
 namespace {
-
-std::string last_lines(const std::filesystem::path& log, std::size_t count) {
-  std::ifstream file(log, std::ios::binary | std::ios::ate);
-  const std::streamoff length = file.tellg();
-  file.seekg(std::max<std::streamoff>(0, length - 4096));  // however much a child has written
-  std::deque<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty()) continue;
-    lines.push_back(line);
-    if (lines.size() > count) lines.pop_front();
-  }
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : " | ") + line;
-  return text;
-}
 
 RunRecord failure(const RunRequest& request, Status status, const std::string& reason, double seconds) {
   RunRecord record = begin_record(request, 0);
@@ -37,8 +18,8 @@ RunRecord failure(const RunRequest& request, Status status, const std::string& r
   return record;
 }
 
-// What a child that came to its end recorded of its run; where that is nonsense, std::nullopt and why. Its mesh is not
-// read here, where a damaged file would cost more than its own run: whoever reads it checks it.
+// The record that a child wrote; std::nullopt with the reason if it is invalid. The mesh is not read, because a damaged
+// file could then harm other runs. Whoever reads it later checks it.
 std::optional<RunRecord> recorded_by_child(const RunRequest& request, const std::filesystem::path& folder,
                                            std::string& reason) {
   try {
@@ -60,8 +41,7 @@ std::optional<RunRecord> recorded_by_child(const RunRequest& request, const std:
 }
 
 std::string exit_reason(const ChildExit& exit, const std::filesystem::path& log) {
-  const std::string how = exit.signal != 0 ? "ended by " + signal_name(exit.signal)
-                                           : fmt::format("ended with exit code {} and no record", exit.code);
+  const std::string how = to_string(exit) + (exit.signal != 0 ? "" : " and no record");
   const std::string tail = last_lines(log, 3);
   return tail.empty() ? how : how + "; its log ends: " + tail;
 }

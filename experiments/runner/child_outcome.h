@@ -1,4 +1,4 @@
-// How a run ended, where it may not have been able to write that down itself.
+// The record of a run whose child process may have died before it could write one.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@ namespace isobench {
 
 struct ChildOutcome {
   RunRecord record;
-  bool own = false;  ///< the child's; else one that says how it failed
+  bool own = false;  ///< whether the child wrote the record; otherwise it was made here and says how the child failed
 };
 
-/// What to keep of a child that came to its end, with what it left in `folder`: its own record or, where that is
-/// missing or nonsense, one with the signal, the exit code and the last lines of its log, or with what was wrong.
+/// The outcome of a child that has ended and has left its files in `folder`: its own record, or a record of its failure
+/// if its own one is missing or invalid. The latter names the signal or exit code and the last lines of the log.
 ChildOutcome outcome_of(const RunRequest& request, const ChildExit& exit, double seconds,
                         const std::filesystem::path& folder);
 
-/// Of a child that is beyond its limit of minutes or memory and has to be stopped; std::nullopt where it is within
-/// both.
+/// The record of a child that exceeds its limit of minutes or memory and must be stopped; std::nullopt if it exceeds
+/// neither.
 std::optional<RunRecord> beyond_limits(const RunRequest& request, Child& child);
 
 }  // namespace isobench

@@ -15,7 +15,7 @@ namespace isobench {
 
 namespace {
 
-/// The kind of the first fault that names this run; "" for none.
+/// The kind of the first fault whose glob matches this run; "" if there is none.
 std::string fault_of(const RunRequest& request) {
   const char* variable = std::getenv("ISOBENCH_TEST_FAULT");
   if (variable == nullptr) return "";
@@ -35,7 +35,7 @@ std::string fault_of(const RunRequest& request) {
   }
 }
 
-/// Leaves nonsense, and says by exit code that all is well.
+/// Writes something invalid and exits with 0.
 [[noreturn]] void pretend(const std::string& kind, const RunRequest& request, const std::filesystem::path& folder) {
   RunRecord record = begin_record(request, 1);
   if (kind == "garbage") {

@@ -1,5 +1,5 @@
-// Fault injection for the tests of the runner: the only way to see what a crash, a hang, a memory hog or nonsense does
-// without keeping a broken method in the product.
+// Fault injection for the tests of the runner. They see what a crash, a hang, a memory hog or an invalid record does
+// without a broken method in the product.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,22 @@
 
 namespace isobench {
 
-/// Does what the environment variable ISOBENCH_TEST_FAULT says, "<kind>:<glob>" or several of them joined by ";", to
-/// the runs that a glob names:
-///   crash    ends the process by SIGSEGV;
-///   hang     never returns;
-///   memory   takes memory until somebody stops it;
-///   silent   exits with 0 and leaves nothing;
-///   garbage  exits with 0 and leaves half a record and half a mesh;
-///   foreign  exits with 0 and leaves the whole record of another run;
-///   hollow   exits with 0 and leaves a record that says ok, but no mesh.
-/// Nothing where the variable is not set. Called by the verb `cell` alone.
+/// The environment variable ISOBENCH_TEST_FAULT holds faults "<kind>:<glob>", joined by ";". This function does the
+/// first one whose glob matches the run, and nothing if the variable is not set. Only the verb `cell` calls it. The
+/// kinds:
+///   crash    ends the process by SIGSEGV
+///   hang     never returns
+///   memory   takes memory until the process is stopped
+///   silent   exits with 0 and writes nothing
+///   garbage  exits with 0 and writes half a record and half a mesh
+///   foreign  exits with 0 and writes a complete record of another run
+///   hollow   exits with 0 and writes a record with status ok, but no mesh
 void inject_fault(const RunRequest& request, const std::filesystem::path& folder);
 
-/// Likewise spoils what a method returned: nan, a coordinate that is no number; index, a corner that is no vertex;
-/// empty, no triangles.
+/// The same for faults in the mesh that a method returned:
+///   nan    a coordinate that is not a number
+///   index  a triangle with a vertex that does not exist
+///   empty  no triangles
 void inject_fault(const RunRequest& request, TriangleMesh& mesh);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// An experiment that is killed, started again and shared by several processes comes out as if nothing had happened.
+// An experiment that is killed and continued, or done by several processes, ends with the results of one plain run.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Many small cells: small lattices, meshes that depend on the seed and such that do not, in a few milliseconds each.
+/// Writes an experiment of many cells that take a few milliseconds each. One of its methods depends on the seed.
 void write_many(const TestFolder& folder, int seeds) {
   for (const char* name : {"sphere", "slab", "capsule"}) {
     folder.write(fmt::format("small-{}.toml", name),
@@ -31,7 +31,7 @@ void write_many(const TestFolder& folder, int seeds) {
                                         fmt::join(numbers, ", ")));
 }
 
-/// Where the small lattices' manifests are; other working folders know them by the same names.
+/// Tells where the manifests of the small lattices are, so that they have the same names in every working folder.
 std::map<std::string, std::string> catalogue_in(const TestFolder& folder) {
   return {{"ISOBENCH_CATALOGUE", folder.path().string()}};
 }
@@ -43,7 +43,7 @@ std::set<std::string> listing(const fs::path& folder) {
   return paths;
 }
 
-/// An experiment that was let run through, in a folder of its own.
+/// An experiment that ran to its end without a disturbance, in a folder of its own.
 struct Undisturbed {
   TestFolder folder;
   double seconds = 0.0;
@@ -65,7 +65,7 @@ void expect_as_undisturbed(const fs::path& results, const Undisturbed& reference
   const auto found = figures(results);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t row = 0; row < expected.size(); ++row) EXPECT_EQ(found[row], expected[row]) << "row " << row;
-  // Nothing half-done and nothing left over: the same files.
+  // Nothing unfinished is left.
   EXPECT_EQ(listing(results), listing(reference.results()));
 }
 
@@ -76,13 +76,14 @@ void expect_finished(const TestFolder& folder, const std::vector<std::string>& a
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
-/// Starts and kills the experiment at random moments; how many of them it did not live to see.
+/// Starts the experiment and kills it at a random moment, several times. Returns how often it was killed before its
+/// end.
 int kill_at_random(const TestFolder& folder, int times, double longest, const std::vector<std::string>& arguments,
                    std::mt19937_64& random) {
   std::uniform_real_distribution<double> moment(0.0, longest);
   int alive = 0;
   for (int n = 0; n < times; ++n) {
-    const Program program(folder.path(), arguments, catalogue_in(folder));
+    Program program(folder.path(), arguments, catalogue_in(folder));
     std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
     program.signal(SIGKILL);
     alive += program.wait().signal == SIGKILL ? 1 : 0;
@@ -96,7 +97,7 @@ TEST(InterruptionSlow, FiftySigkillsLeaveTheSameResults) {
   write_many(folder, 20);
   const fs::path results = folder.path() / "results" / "many";
   std::mt19937_64 random(1);
-  // In the mean a seventieth of the whole: the experiment is not done before the last.
+  // On average each start lasts a seventieth of the whole, so that the experiment is not complete before the last one.
   const double longest = 2.0 * reference.seconds / 70.0;
   EXPECT_GE(kill_at_random(folder, 50, longest, run_many, random), 45) << "killed too late to disturb anything";
   expect_finished(folder, run_many);
@@ -108,7 +109,7 @@ TEST(InterruptionSlow, FiftySigkillsLeaveTheSameResults) {
   EXPECT_TRUE(eventually([&] { return !process_mentions(folder.path().string()); })) << "a child outlived its parent";
 }
 
-/// How many cells a process did, by the last line of its summary: "many: 5 ok, 2 done before".
+/// How many cells a process ran, from the last line of its summary: "many: 5 ok, 2 done before".
 int cells_done(const Outcome& outcome) {
   const std::string head = "many: ";
   const std::size_t at = outcome.err.rfind(head);
@@ -116,7 +117,7 @@ int cells_done(const Outcome& outcome) {
   return at == std::string::npos ? 0 : std::stoi(outcome.err.substr(at + head.size()));
 }
 
-/// Processes on one results folder, each with a working folder of its own for its output.
+/// Processes that share one results folder. Each has its own working folder.
 class Team {
  public:
   Team(const TestFolder& folder, std::size_t size, const std::string& fault = "") {
@@ -129,7 +130,7 @@ class Team {
       programs_.emplace_back(places_.back()->path(), arguments, environment);
     }
   }
-  const Program& operator[](std::size_t n) const { return programs_[n]; }
+  Program& operator[](std::size_t n) { return programs_[n]; }
   std::size_t size() const { return programs_.size(); }
 
  private:
@@ -142,7 +143,7 @@ TEST(InterruptionSlow, ProcessesOnOneFolderDoEveryCellOnce) {
   for (const std::size_t size : {2U, 4U}) {
     const TestFolder folder;
     write_many(folder, 10);
-    const Team team(folder, size);
+    Team team(folder, size);
     std::vector<int> shares;
     for (std::size_t n = 0; n < size; ++n) {
       const Outcome outcome = team[n].wait();
@@ -155,7 +156,7 @@ TEST(InterruptionSlow, ProcessesOnOneFolderDoEveryCellOnce) {
   }
 }
 
-// The tables of the last to finish have the rows of all, without anybody starting anything again.
+// The process that survives completes the tables; nobody has to start the experiment again.
 TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
   const Undisturbed reference(10);
   std::mt19937_64 random(2);
@@ -163,7 +164,7 @@ TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
     const TestFolder folder;
     write_many(folder, 10);
     const fs::path results = folder.path() / "results" / "many";
-    const Team team(folder, 3);
+    Team team(folder, 3);
     std::size_t done = 0;
     for (const std::size_t victim : {0U, 2U}) {
       done += std::uniform_int_distribution<std::size_t>(1, 20)(random);
@@ -174,7 +175,7 @@ TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
     const Outcome survivor = team[1].wait();
     EXPECT_EQ(survivor.code, 0) << survivor.err;
     EXPECT_EQ(figures(results), figures(reference.results()));
-    // What the dead have begun is tidied up by whoever comes next.
+    // The next process removes what the killed ones began.
     expect_finished(folder, run_many);
     expect_as_undisturbed(results, reference);
   }
@@ -184,16 +185,16 @@ TEST(Interruption, AFailureIsNotRepeatedByAProcessThatWasThereBefore) {
   const TestFolder folder;
   write_many(folder, 1);
   const std::string held = (folder.path() / "results" / "many" / ".tmp-small-sphere-particles").string();
-  const Team early(folder, 1, "hang:small-sphere/particles");
+  Team early(folder, 1, "hang:small-sphere/particles");
   EXPECT_TRUE(eventually([&] { return process_mentions(held); }));
-  const Team late(folder, 1, "crash:*/marching-cubes");
+  Team late(folder, 1, "crash:*/marching-cubes");
   const Outcome failed = late[0].wait();
   EXPECT_NE(failed.err.find("many: 2 ok, 3 failed, 1 left to another process"), std::string::npos) << failed.err;
   for (const int child : processes_mentioning(held)) kill(child, SIGKILL);
   const Outcome waited = early[0].wait();
   EXPECT_NE(waited.err.find("many: 0 ok, 1 failed, 2 done before, 3 left to another process"), std::string::npos)
       << waited.err;
-  // Whoever comes later tries again.
+  // A process that starts later tries again.
   const Outcome later = run_program(folder.path(), run_many, catalogue_in(folder));
   EXPECT_NE(later.err.find("many: 4 ok, 2 done before"), std::string::npos) << later.err;
 }

@@ -1,4 +1,4 @@
-// Whatever a method does costs its own cell and no other.
+// A fault in one cell leaves all other cells alone.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 struct Fault {
   std::string kind;
   Status status;
-  std::string reason;  ///< a part of it
+  std::string reason;  ///< a part of the reason
 };
 
 const std::vector<Fault>& faults() {
@@ -34,7 +34,7 @@ const std::vector<Fault>& faults() {
   return all;
 }
 
-/// A dataset of each fault's name and a healthy one, each meshed by two methods, of which only one is at fault.
+/// Writes an experiment with a dataset named after each fault and a healthy one. Only one of its two methods fails.
 void write_faults(const TestFolder& folder) {
   std::string datasets = "\"healthy\"";
   const std::string manifest = "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n";
@@ -68,7 +68,7 @@ TEST(Isolation, EveryKindOfFaultCostsItsOwnCellAlone) {
   const std::size_t bad = faults().size();
   EXPECT_NE(outcome.err.find(fmt::format("bad: {} ok, {} failed\n", bad + 2, bad)), std::string::npos) << outcome.err;
 
-  const std::string tables = text_of(results / "tables.md");
+  const std::string tables = read_text(results / "tables.md");
   for (const Fault& fault : faults()) {
     SCOPED_TRACE(fault.kind);
     const RunRecord record = record_of(results, fault.kind + "-marching-cubes-");
@@ -83,7 +83,7 @@ TEST(Isolation, EveryKindOfFaultCostsItsOwnCellAlone) {
   EXPECT_EQ(load_results(results).unreadable.size(), 0U);
   EXPECT_EQ(count_starting(results, ".tmp-"), 0U);
 
-  // Once the methods behave, the failed cells, and only those, are done.
+  // Without the faults the next start repeats the failed cells and no others.
   const Outcome again =
       run_program(folder.path(), {"run", "bad.toml"}, {{"ISOBENCH_CATALOGUE", folder.path().string()}});
   EXPECT_EQ(again.code, 0) << again.err;

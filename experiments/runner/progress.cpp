@@ -1,12 +1,13 @@
 #include "isobench/experiments/runner/progress.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+
+#include "isobench/experiments/terminal/terminal.h"
 
 namespace isobench {
 
@@ -19,11 +20,6 @@ bool elapsed(Clock::time_point& last, std::chrono::milliseconds interval) {
   if (last != Clock::time_point{} && now - last < interval) return false;
   last = now;
   return true;
-}
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
 }
 
 std::string bar(double fraction) {
@@ -52,15 +48,15 @@ void Console::detail(const std::string& text) {
 void Console::update(const std::string& text, double fraction) {
   if (verbosity_ == Verbosity::quiet) return;
   if (!terminal_) {
-    if (last_ == Clock::time_point{}) last_ = Clock::now();  // short work needs no line at all
+    if (last_ == Clock::time_point{}) last_ = Clock::now();  // so that short work prints no line
     if (!elapsed(last_, std::chrono::seconds(30))) return;
     fmt::print(stderr, "{}{}\n", text, fraction >= 0.0 ? fmt::format(" {:.0f} %", 100.0 * fraction) : "");
     return;
   }
   if (!elapsed(last_, std::chrono::milliseconds(100))) return;
-  std::string shown = (fraction >= 0.0 ? bar(fraction) : "") + text;
-  if (shown.size() >= terminal_width()) shown.resize(terminal_width() - 1);
-  fmt::print(stderr, "\r\x1b[K{}", shown);
+  // One column less than there are: a full line would make the terminal go to the next one.
+  const std::size_t most = terminal_width(STDERR_FILENO).value_or(80) - 1;
+  fmt::print(stderr, "\r\x1b[K{}", first_characters((fraction >= 0.0 ? bar(fraction) : "") + text, most));
   std::fflush(stderr);
   drawn_ = true;
 }
@@ -91,7 +87,7 @@ void PipeSink::show(const std::string& stage, double fraction) {
   }
   if (!fresh && !elapsed(last_, std::chrono::milliseconds(100))) return;
   const std::string line = fmt::format("{:.4f} {}\n", fraction, stage);
-  // Nobody reading is no reason to stop: SIGPIPE is ignored in a cell, and the result of write does not matter.
+  // A cell goes on if nobody reads its progress: SIGPIPE is ignored, and so is the result of write().
   [[maybe_unused]] const ssize_t written = write(descriptor_, line.data(), line.size());
 }
 

@@ -1,4 +1,4 @@
-// Progress for people: a line that redraws itself on a terminal, sparse plain lines anywhere else. All of it on stderr.
+// Shows progress on stderr: a line that is redrawn on a terminal, otherwise a plain line now and then.
 #pragma once
 
 #include <chrono>
@@ -15,17 +15,17 @@ class Console {
  public:
   explicit Console(Verbosity verbosity);
 
-  /// A line that stays; not shown when quiet.
+  /// Prints a line; not if quiet.
   void line(const std::string& text);
-  /// A line that stays; shown only when verbose.
+  /// Prints a line; only if verbose.
   void detail(const std::string& text);
-  /// Where things are now: redrawn in place on a terminal; otherwise a plain line, at most one every 30 seconds.
+  /// Shows the present state: redraws one line on a terminal; otherwise prints a line, at most every 30 seconds.
   void update(const std::string& text, double fraction);
-  /// Takes the redrawn line away.
+  /// Removes the redrawn line.
   void clear();
   Verbosity verbosity() const { return verbosity_; }
 
-  /// `text` in a colour where stderr is a terminal and NO_COLOR is not set.
+  /// The text in colour if stderr is a terminal and NO_COLOR is not set.
   std::string good(const std::string& text) const;
   std::string bad(const std::string& text) const;
 
@@ -37,7 +37,7 @@ class Console {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// Shows a computation of this process on a console.
+/// Shows the progress of a computation in this process.
 class ConsoleSink : public ProgressSink {
  public:
   explicit ConsoleSink(Console& console) : console_(console) {}
@@ -48,7 +48,7 @@ class ConsoleSink : public ProgressSink {
   std::string stage_;
 };
 
-/// Sends a cell's progress to the process that started it, and its stages to the log.
+/// Sends the progress of a cell to the process that started it, and prints its stages, which go to the log.
 class PipeSink : public ProgressSink {
  public:
   explicit PipeSink(int descriptor) : descriptor_(descriptor) {}

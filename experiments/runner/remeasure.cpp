@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The dataset and the sizing field in use; runs come in an order in which each is needed once.
+// The dataset and the sizing field of the present run. Runs are sorted so that each of these is made once.
 class Surfaces {
  public:
   const Dataset& dataset(const RunRequest& request, Monitor& monitor) {
@@ -30,7 +30,7 @@ class Surfaces {
       dataset_ = load_dataset(request.dataset, monitor);
     }
     if (dataset_.checksum != request.dataset_checksum) {
-      throw DataError("dataset '" + request.dataset + "' is no longer the one that was meshed; run it again instead");
+      throw DataError("dataset '" + request.dataset + "' has changed since it was meshed; run the experiment again");
     }
     return dataset_;
   }
@@ -59,7 +59,8 @@ TriangleMesh stored_mesh(const fs::path& path, const RunRecord& record) {
   return mesh;
 }
 
-// By this program's metrics; the mesh in the world gets the new arrays, its coordinates stay to the last bit.
+// Measures with the metrics of this program. The mesh in world coordinates gets the new arrays; its coordinates stay
+// the same to the last bit, because only a copy is moved to the lattice frame.
 void measure_again(RunRecord& record, TriangleMesh& mesh, Surfaces& surfaces, Monitor& monitor) {
   const RunRequest& request = record.request;
   const Dataset& dataset = surfaces.dataset(request, monitor);
@@ -72,7 +73,7 @@ void measure_again(RunRecord& record, TriangleMesh& mesh, Surfaces& surfaces, Mo
   mesh.triangle_data = std::move(local.triangle_data);
 }
 
-// The same run as the metrics of this program name it.
+// The same run under the name that it has with the metrics of this program.
 RunRequest renamed(RunRequest request) {
   request.metrics_revision = metrics_revision;
   request.run = run_name(request);
@@ -113,11 +114,12 @@ class Remeasuring {
     const RunRequest request = renamed(planned);
     std::optional<Claim> claim = store_.claim(request);
     if (!claim) {
-      console_.line(request.run + ": left to another process that is at it");
+      console_.line(request.run + ": left to another process that is working on it");
       return false;
     }
     const fs::path old = store_.folder() / planned.run;
-    RunRecord record = read_record(old / "run.json");  // as it is now that nobody else changes it
+    RunRecord record =
+        read_record(old / "run.json");  // read again: another process may have changed it before the claim
     TriangleMesh mesh = stored_mesh(old / "mesh.vtp", record);
     measure_again(record, mesh, surfaces_, monitor);
     record.request = request;

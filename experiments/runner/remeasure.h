@@ -1,4 +1,4 @@
-// Measuring the meshes of a results folder again, without meshing again.
+// Measures the stored meshes of a results folder again, without meshing.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@ namespace isobench {
 
 struct RemeasureSummary {
   int measured = 0;
-  int without_mesh = 0;  ///< failed, timed out or skipped: nothing to measure
-  int failed = 0;        ///< kept as they were, each with a line that says why
-  int elsewhere = 0;     ///< another process is at them
+  int without_mesh = 0;  ///< there is nothing to measure because the run failed, timed out or was skipped
+  int failed = 0;        ///< could not be measured and were kept; a line on the console says why
+  int elsewhere = 0;     ///< another process is working on them
 };
 
-/// Reads every stored mesh of a results folder again and measures it against its dataset, at its own sizing and
-/// reference k, by the metrics of this program. Each run's folder is replaced as a whole: figures, histograms, the
-/// arrays in mesh.vtp, and who measured; what making the mesh took and where it was made stays. Runs of an earlier
-/// metrics revision move to the name that this revision's plan has for them, and so does the stored plan.
+/// Measures every stored mesh of a results folder with the metrics of this program, against its dataset and with the
+/// sizing and the reference k of its run. Replaces the figures, the histograms, the arrays in mesh.vtp and the note on
+/// who measured; keeps the cost of making the mesh and where it was made. Runs of an older revision of the metrics are
+/// renamed as the present revision names them, and the stored plan is changed in the same way.
 ///
-/// A run is left as it was where its mesh is missing or is not the one that its record is of, or where its dataset is
-/// no longer the same. Throws DataError where `folder` is no results folder.
+/// Keeps a run as it is if its mesh is missing or does not match its record, or if its dataset has changed. Throws
+/// DataError if `folder` is not a results folder.
 RemeasureSummary remeasure(const std::filesystem::path& folder, Console& console);
 
 }  // namespace isobench

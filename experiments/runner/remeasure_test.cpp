@@ -5,6 +5,7 @@
 
 #include "isobench/experiments/command_line/test_program.h"
 #include "isobench/experiments/plan/plan.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/reports/runs/results.h"
 
@@ -70,8 +71,8 @@ TEST_F(Remeasure, TakesEveryFigureAgainAndKeepsWhatTheMeshTook) {
   ASSERT_TRUE(after.measured_again.has_value());
   EXPECT_EQ(after.measured_again->commit, before.environment.commit);
   EXPECT_TRUE(fs::exists(run(0) / "log.txt"));
-  EXPECT_EQ(text_of(results() / "results.csv").find(",99,"), std::string::npos);
-  // Nothing is left to do afterwards, and nothing lies about.
+  EXPECT_EQ(read_text(results() / "results.csv").find(",99,"), std::string::npos);
+  // Nothing is left to do, and no temporary folder is left.
   const Outcome plan = run_program(folder_.path(), {"run", "x.toml", "--dry-run"});
   EXPECT_NE(plan.out.find(": 2 done"), std::string::npos) << plan.out;
   for (const auto& entry : fs::directory_iterator(results())) {
@@ -97,17 +98,17 @@ TEST_F(Remeasure, AMeshThatIsNotItsRecordsIsLeftAlone) {
   mesh.vertices[0].x() += 1e-6;
   write_mesh(mesh, run(0) / "mesh.vtp");
   fs::remove(run(1) / "mesh.vtp");
-  const std::string before = text_of(run(0) / "run.json");
+  const std::string before = read_text(run(0) / "run.json");
   const Outcome outcome = measure();
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("their checksums differ"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("mesh.vtp is missing"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("0 measured, 2 kept as they were"), std::string::npos) << outcome.err;
-  EXPECT_EQ(text_of(run(0) / "run.json"), before);
+  EXPECT_EQ(read_text(run(0) / "run.json"), before);
 }
 
 TEST_F(Remeasure, RunsOfAnEarlierMetricsRevisionTakeTheNameOfThisOne) {
-  // What a program with other metrics would have left behind.
+  // Make the folder look as if a program with other metrics had written it.
   std::vector<RunRequest> plan;
   for (RunRecord old : load_results(results()).records) {
     const fs::path from = results() / old.request.run;
@@ -146,11 +147,11 @@ TEST_F(Remeasure, AddsFiguresThatTheRecordDidNotKnow) {
     write_record(old, run(n) / "run.json");
   }
   ASSERT_EQ(run_program(folder_.path(), {"report", "results/x"}).code, 0);
-  EXPECT_TRUE(text_of(results() / "results.csv").ends_with(",,\n"));
+  EXPECT_TRUE(read_text_or_empty(results() / "results.csv").ends_with(",,\n"));
   EXPECT_EQ(measure().code, 0);
   EXPECT_GT(record(0).measurement->number("area"), 0.0);
   EXPECT_GT(record(1).measurement->number("volume"), 0.0);
-  EXPECT_FALSE(text_of(results() / "results.csv").ends_with(",,\n"));
+  EXPECT_FALSE(read_text_or_empty(results() / "results.csv").ends_with(",,\n"));
 }
 
 TEST_F(Remeasure, OfAFolderTakesNoOptionsOfAFile) {

@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string own_plan = "request.json";  // in a run's temporary folder
+const std::string own_plan = "request.json";  // in the temporary folder of a run
 
-// What a run that was stopped had no time to take away itself.
+// Removes the scratch folders of a run that was stopped before it could remove them itself.
 void remove_scratch(const fs::path& folder) {
   std::vector<fs::path> scratch;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -31,18 +31,18 @@ void remove_scratch(const fs::path& folder) {
   for (const fs::path& path : scratch) fs::remove_all(path);
 }
 
-// A cell that is still to be looked at.
+// A cell that has not been started or settled yet.
 struct Pending {
   const RunRequest* request = nullptr;
-  std::size_t number = 0;                      // counts from 1, for people
-  std::optional<fs::file_time_type> recorded;  // before this process began
-  bool again = false;                          // it was left to another process before
+  std::size_t number = 0;                      // in the plan, from 1; shown to the user
+  std::optional<fs::file_time_type> recorded;  // time of its record when this process began
+  bool again = false;                          // another process was working on it when it was tried first
 };
 
 enum class Start {
-  taken,  // under way, or nothing to do
-  waits,  // for another process: its timed run, or the run that others are to be matched to
-  left,   // to another process that is at it
+  taken,  // it runs now, or there is nothing to do
+  waits,  // until another process ends a timed run, or the run that others are matched to
+  left,   // another process is working on it; try again later
 };
 
 struct Active {
@@ -82,11 +82,11 @@ class Runner {
   }
 
  private:
-  // In their order, but for those that wait for the run that they are matched to or for another process.
+  // Starts cells in their order, except those that wait for the run that they are matched to or for another process.
   void start_what_can() {
     for (auto next = pending_.begin(); next != pending_.end() && !StopSignals::arrived();) {
       if (!room_for(*next->request)) return;
-      // What was left to another process is looked at again when all else is done: it may have been killed.
+      // Cells of other processes are tried again when nothing else is left: the other process may have been killed.
       const bool later = next->again && !active_.empty();
       if (later || unfinished_.count(next->request->match_to) > 0) {
         ++next;
@@ -108,20 +108,20 @@ class Runner {
     }
   }
 
-  // A timed run has the machine to itself, as far as this program goes.
+  // This program runs nothing else beside a timed run.
   bool room_for(const RunRequest& request) const {
     if (active_.empty()) return true;
     if (request.alone || active_.front()->request.alone) return false;
     return active_.size() < static_cast<std::size_t>(options_.jobs);
   }
 
-  // Whether a run that is still to come is to be matched to this one.
+  // Whether a pending run is matched to this one.
   bool needed(const RunRequest& request) const {
     return std::any_of(pending_.begin(), pending_.end(),
                        [&request](const Pending& other) { return other.request->match_to == request.run; });
   }
 
-  // The number of vertices to match; std::nullopt where the other run has no mesh.
+  // The number of vertices to match; std::nullopt if the other run has no mesh.
   std::optional<double> match_vertices(const RunRequest& request) const {
     if (request.match_to.empty()) return std::nullopt;
     const fs::path path = store_.folder() / request.match_to / "run.json";
@@ -129,12 +129,12 @@ class Runner {
     try {
       const RunRecord record = read_record(path);
       if (record.measurement) return record.measurement->figure("vertices");
-    } catch (const DataError&) {  // damaged: as good as none
+    } catch (const DataError&) {  // a damaged record counts as none
     }
     return std::nullopt;
   }
 
-  // Whether there is nothing to do for a run: it was done before or, while this process was at others, by another.
+  // Whether there is nothing to do: the run was done before, or meanwhile by another process. Counts it then.
   bool settled(const Pending& next) {
     const RunState state = store_.state(*next.request);
     const bool meanwhile = state != RunState::missing && store_.recorded(*next.request) != next.recorded;
@@ -164,23 +164,23 @@ class Runner {
     std::optional<Claim> claim = store_.claim(request);
     if (!claim && !next.again) return Start::left;
     if (!claim && needed(request)) {
-      console_.update(title + ": waits for another process that is at it", -1.0);
+      console_.update(title + ": waits for another process that is working on it", -1.0);
       return Start::waits;
     }
     if (!claim) {
       ++summary_.elsewhere;
       unfinished_.erase(request.run);
-      console_.line(title + ": left to another process that is at it");
+      console_.line(title + ": left to another process that is working on it");
       return Start::taken;
     }
-    // Between looking and claiming another process may have finished it.
+    // Another process may have finished it before the claim.
     if (settled(next)) return Start::taken;
     const std::optional<double> vertices = match_vertices(request);
     if (!request.match_to.empty() && !vertices) {
       store_without_reference(request, title, std::move(*claim));
       return Start::taken;
     }
-    // Of its own, so that no child has to read a plan of a hundred thousand.
+    // A plan of one run, so that a child need not read a plan of a hundred thousand.
     write_text(claim->folder() / own_plan, plan_to_json({request}));
     std::vector<std::string> command = {options_.program.string(),
                                         "cell",
@@ -200,7 +200,7 @@ class Runner {
     return Start::taken;
   }
 
-  // Nothing to match it to: failed, so that it is tried again once there is.
+  // The run cannot be matched. It is stored as failed, so that it is tried again once the other run has a mesh.
   void store_without_reference(const RunRequest& request, const std::string& title, Claim claim) {
     RunRecord record = begin_record(request, 0);
     record.reason = "cannot be matched: " + request.match_to + " has no mesh";
@@ -209,7 +209,7 @@ class Runner {
     conclude(record, title, 0.0);
   }
 
-  // True once the run is over and stored.
+  // Looks after an active run. Returns true once it is over and stored.
   bool step(Active& active) {
     const double seconds = active.child.seconds();
     if (const std::optional<ChildExit> exit = active.child.poll()) {
@@ -227,7 +227,7 @@ class Runner {
 
   void store(Active& active, const RunRecord& record, bool recorded, double seconds) {
     if (!recorded) {
-      // Whatever there is of them may be half of one.
+      // What the child has left may be incomplete.
       fs::remove_all(active.claim.folder() / "mesh.vtp");
       fs::remove_all(active.claim.folder() / "run.json");
       remove_scratch(active.claim.folder());
@@ -238,7 +238,7 @@ class Runner {
     conclude(record, active.title, seconds);
   }
 
-  // A run that is stored now: counted and said.
+  // Counts a run that was stored and tells the user.
   void conclude(const RunRecord& record, const std::string& title, double seconds) {
     unfinished_.erase(record.request.run);
     const bool fine = record.status == Status::ok || record.status == Status::skipped;
@@ -253,7 +253,7 @@ class Runner {
                               record.reason.empty() ? "" : " (" + record.reason + ")", seconds));
   }
 
-  // "5 done, 1 failed, 3 to go, about 4 min left": the rest is taken to last as long, on average, as what was run here.
+  // "5 done, 1 failed, 3 to go, about 4 min left". The estimate takes the average time of the runs of this process.
   std::string state() const {
     const int run_here = summary_.ok + summary_.skipped + summary_.failed;
     std::string text = fmt::format("{} done", summary_.ok + summary_.skipped + summary_.reused);
@@ -270,7 +270,8 @@ class Runner {
     if (active_.empty()) return;
     Active& first = *active_.front();
     const ChildProgress& progress = first.child.progress();
-    for (const auto& active : active_) active->child.progress();  // keeps every pipe from filling
+    for (const auto& active : active_)
+      active->child.progress();  // empties every pipe, lest the newest progress be lost
     const std::string more = active_.size() > 1 ? fmt::format(" (and {} more)", active_.size() - 1) : "";
     console_.update(
         fmt::format("{}  {}  {:.0f} s{}; {}", first.title, progress.stage, first.child.seconds(), more, state()),
@@ -284,7 +285,7 @@ class Runner {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   RunSummary summary_;
   std::list<Pending> pending_;
-  std::set<std::string> unfinished_;  // names of those that are pending or active here
+  std::set<std::string> unfinished_;  // names of the pending and the active runs
   std::vector<std::unique_ptr<Active>> active_;
 };
 

@@ -1,5 +1,4 @@
-// The runner as its users meet it: the program is run, killed, crashed, starved, and what it leaves behind is looked
-// at.
+// The runner as users see it: these tests run the program, kill it or make it crash, and look at what it leaves behind.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -80,9 +79,9 @@ TEST(Runner, ACrashIsAFailedRowAndTheOthersFinish) {
   EXPECT_EQ(crashed.status, Status::failed);
   EXPECT_NE(crashed.reason.find("SIGSEGV"), std::string::npos) << crashed.reason;
   EXPECT_EQ(record_of(results, "slab").status, Status::ok);
-  EXPECT_NE(text_of(results / "tables.md").find("failed: ended by SIGSEGV"), std::string::npos);
-  EXPECT_NE(text_of(results / "results.csv").find(",failed,"), std::string::npos);
-  // Failed runs are tried again, done ones are not.
+  EXPECT_NE(read_text(results / "tables.md").find("failed: ended by SIGSEGV"), std::string::npos);
+  EXPECT_NE(read_text(results / "results.csv").find(",failed,"), std::string::npos);
+  // Failed runs are repeated, runs that are done are not.
   const Outcome again = run_program(folder.path(), {"run", "two.toml"});
   EXPECT_EQ(again.code, 0);
   EXPECT_NE(again.err.find("1 ok, 1 done before"), std::string::npos) << again.err;
@@ -98,7 +97,7 @@ TEST(Runner, LimitsStopHangsAndMemoryHogs) {
   const fs::path results = folder.path() / "results" / "two";
   EXPECT_EQ(record_of(results, "sphere").status, Status::timeout);
   EXPECT_EQ(record_of(results, "sphere").reason, "not finished after 0.02 minutes");
-  // Its own folder: time must not run out first.
+  // In a folder of its own, so that the limit of time cannot be exceeded first.
   folder.write("hog.toml", std::string(two_datasets) + "[limits]\nminutes = 5\nmemory_gb = 0.5\n");
   const Outcome hog =
       run_program(folder.path(), {"run", "hog.toml", "--only", "slab/*"}, {{"ISOBENCH_TEST_FAULT", "memory:slab/*"}});
@@ -112,15 +111,15 @@ TEST(Runner, AfterSigkillItContinuesWithNothingHalfDone) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   const fs::path results = folder.path() / "results" / "two";
-  // The first run finishes, the second hangs, and then everything is killed.
-  const Program program(folder.path(), {"run", "two.toml", "--out", (folder.path() / "results").string()},
-                        {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
+  // The first run finishes and the second one hangs. Then kill the program.
+  Program program(folder.path(), {"run", "two.toml", "--out", (folder.path() / "results").string()},
+                  {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
   const std::string cell = (results / ".tmp-slab").string();
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-slab") == 1; }));
   EXPECT_TRUE(eventually([&] { return process_mentions(cell); }));
   program.signal(SIGKILL);
   EXPECT_EQ(program.wait().signal, SIGKILL);
-  // The child goes with its parent, rather than hanging on for ever.
+  // The child dies with its parent.
   EXPECT_TRUE(eventually([&] { return !process_mentions(cell); }));
   EXPECT_EQ(record_of(results, "sphere").status, Status::ok);
   EXPECT_EQ(count_starting(results, "slab"), 0U);
@@ -138,7 +137,7 @@ TEST(Runner, SigintStopsCleanlyAndSaysHowToContinue) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   const fs::path results = folder.path() / "results" / "two";
-  const Program program(folder.path(), {"run", "two.toml"}, {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
+  Program program(folder.path(), {"run", "two.toml"}, {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-slab") == 1; }));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
@@ -153,15 +152,14 @@ TEST(Runner, TwoProcessesOnOneFolderShareTheWork) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   const fs::path results = folder.path() / "results" / "two";
-  const Program holder(folder.path(), {"run", "two.toml", "--only", "sphere/*"},
-                       {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
+  Program holder(folder.path(), {"run", "two.toml", "--only", "sphere/*"}, {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-sphere") == 1; }));
   const TestFolder elsewhere;
   const Outcome other = run_program(
       elsewhere.path(), {"run", (folder.path() / "two.toml").string(), "--out", (folder.path() / "results").string()});
   EXPECT_EQ(other.code, 0);
   EXPECT_NE(other.err.find("1 ok, 1 left to another process"), std::string::npos) << other.err;
-  EXPECT_EQ(count_starting(results, ".tmp-sphere"), 1U);  // not taken for a dead one's
+  EXPECT_EQ(count_starting(results, ".tmp-sphere"), 1U);  // the other process is alive
   holder.signal(SIGINT);
   holder.wait();
 }
@@ -183,16 +181,16 @@ TEST(Runner, TheDryRunSaysWhatIsDoneAndWhatIsLeft) {
   expect_plan("retry    ", "to do    ", "1 to do, 1 retry");
   run_program(folder.path(), {"run", "two.toml", "--only", "sphere/*"});
   const TestFolder elsewhere;
-  const Program holder(elsewhere.path(),
-                       {"run", (folder.path() / "two.toml").string(), "--out", (folder.path() / "results").string()},
-                       {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
+  Program holder(elsewhere.path(),
+                 {"run", (folder.path() / "two.toml").string(), "--out", (folder.path() / "results").string()},
+                 {{"ISOBENCH_TEST_FAULT", "hang:slab/*"}});
   EXPECT_TRUE(eventually([&] { return count_starting(results, ".tmp-slab") == 1; }));
   expect_plan("done     ", "elsewhere", "1 elsewhere, 1 done");
   holder.signal(SIGKILL);
   holder.wait();
-  // Dead, and so is its claim.
+  // A killed process holds no claim.
   expect_plan("done     ", "to do    ", "1 to do, 1 done");
-  EXPECT_EQ(count_starting(results, ".tmp-slab"), 1U);  // a dry run cleans nothing up
+  EXPECT_EQ(count_starting(results, ".tmp-slab"), 1U);  // a dry run removes nothing
 }
 
 TEST(Runner, RepeatsAreKeptApartAndGiveTheSameMesh) {
@@ -212,11 +210,11 @@ TEST(Runner, RepeatsAreKeptApartAndGiveTheSameMesh) {
   EXPECT_NE(outcome.out.find("| the same mesh"), std::string::npos) << outcome.out;
 }
 
-// The most children at once, by their temporary folders, while an experiment runs.
+// The largest number of children at one time, counted by their temporary folders.
 std::size_t most_at_once(const TestFolder& folder, const std::string& config, const fs::path& results) {
-  const Program program(folder.path(), {"run", config, "--jobs", "2"}, {{"ISOBENCH_TEST_FAULT", "hang:*"}});
+  Program program(folder.path(), {"run", config, "--jobs", "2"}, {{"ISOBENCH_TEST_FAULT", "hang:*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-") > 0; }));
-  // The second, where there is one, is started within the same turn of the loop: half a second is ample.
+  // If there is a second child, it starts in the same turn of the loop, so half a second is enough.
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   const std::size_t most = count_starting(results, ".tmp-");
   program.signal(SIGINT);
@@ -236,12 +234,12 @@ TEST(Runner, TimedRunsWaitForThoseOfAnotherProcess) {
   const TestFolder folder;
   folder.write("timed.toml", "timing = true\n" + std::string(two_datasets));
   const fs::path results = folder.path() / "results" / "timed";
-  const Program holder(folder.path(), {"run", "timed.toml", "--only", "sphere/*"},
-                       {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
+  Program holder(folder.path(), {"run", "timed.toml", "--only", "sphere/*"},
+                 {{"ISOBENCH_TEST_FAULT", "hang:sphere/*"}});
   EXPECT_TRUE(eventually([&] { return fs::exists(results) && count_starting(results, ".tmp-sphere") == 1; }));
   const TestFolder elsewhere;
-  const Program other(elsewhere.path(), {"run", (folder.path() / "timed.toml").string(), "--only", "slab/*", "--out",
-                                         (folder.path() / "results").string()});
+  Program other(elsewhere.path(), {"run", (folder.path() / "timed.toml").string(), "--only", "slab/*", "--out",
+                                   (folder.path() / "results").string()});
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   EXPECT_EQ(count_starting(results, "slab") + count_starting(results, ".tmp-slab"), 0U);
   holder.signal(SIGKILL);
@@ -259,7 +257,7 @@ TEST(Runner, TwoConfigsOfOneNameDoNotMix) {
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("another config"), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("--out"), std::string::npos) << refused.err;
-  // Other limits are no other experiment.
+  // Different limits do not make another experiment.
   folder.write("two.toml", std::string(two_datasets) + "[limits]\nminutes = 9\n");
   EXPECT_EQ(run_program(folder.path(), {"run", "two.toml", "--only", "slab/*"}).code, 0);
 }

@@ -1,4 +1,4 @@
-// The signals that end a session, noticed in the place of being obeyed, so that nothing is left half-done.
+// Notices the signals that ask a program to end, so that it can finish or undo what it began.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace isobench {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP only set `arrived()`. One at a time.
+/// During its lifetime SIGINT, SIGTERM and SIGHUP only set `arrived()`. Use one object at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -14,7 +14,7 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// Whether one came since the last of these objects was made.
+  /// Whether one of these signals arrived since the latest object was made.
   static bool arrived();
 
  private:

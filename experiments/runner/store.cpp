@@ -22,11 +22,10 @@ namespace {
 
 const std::string temporary_prefix = ".tmp-";
 const std::string replaced_prefix = ".old-";
-const std::string unwritten = ".tmp-";  // in the name of a file that write_text() has not finished
 
 fs::path lock_path(const fs::path& folder, const std::string& run) { return folder / ".locks" / run; }
 
-// A replaced run is moved aside before its successor takes the name; whoever died in between left only the old one.
+// commit() moves an old run aside before it renames the new one. If it was killed in between, restore the old run.
 void settle_replaced(const fs::path& folder, const std::string& run) {
   const fs::path old = folder / (replaced_prefix + run);
   if (!fs::exists(old)) return;
@@ -42,7 +41,7 @@ std::string owner_text(const Owner& owner) {
   return fmt::format("{} {} {} {}\n", owner.host, owner.pid, owner.since, owner.job);
 }
 
-// Of processes that died: files beside the runs, which are only written under the lock of the results, and runs.
+// Removes what killed processes left: unfinished files, which are written only under the given lock, and runs.
 void remove_leftovers(const fs::path& folder, const FileLock&) {
   std::vector<std::string> names;
   std::vector<fs::path> files;
@@ -51,13 +50,13 @@ void remove_leftovers(const fs::path& folder, const FileLock&) {
     if (entry.is_directory() && (name.starts_with(temporary_prefix) || name.starts_with(replaced_prefix))) {
       names.push_back(name);
     }
-    if (entry.is_regular_file() && name.find(unwritten) != std::string::npos) files.push_back(entry.path());
+    if (entry.is_regular_file() && name.find(PartialFile::mark) != std::string::npos) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
   for (const std::string& name : names) {
     const std::string run = name.substr(temporary_prefix.size());
     const std::optional<FileLock> lock = FileLock::try_lock(lock_path(folder, run));
-    if (!lock) continue;  // somebody alive is at it
+    if (!lock) continue;  // a living process works on it
     if (name.starts_with(temporary_prefix))
       fs::remove_all(folder / name);
     else
@@ -68,22 +67,16 @@ void remove_leftovers(const fs::path& folder, const FileLock&) {
 }  // namespace
 
 std::optional<FileLock> FileLock::try_lock(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (descriptor < 0) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return FileLock(descriptor);
-  const int error = errno;
-  close(descriptor);
-  if (error == EWOULDBLOCK) return std::nullopt;
-  throw Error(path.string() + ": cannot be locked: " + std::strerror(error));
+  Descriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!file.is_open()) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
+  if (flock(file.get(), LOCK_EX | LOCK_NB) == 0) return FileLock(std::move(file));
+  if (errno == EWOULDBLOCK) return std::nullopt;
+  throw Error(path.string() + ": cannot be locked: " + std::strerror(errno));
 }
 
 void FileLock::write(const std::string& text) const {
-  if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, text.data(), text.size(), 0) < 0)
+  if (ftruncate(file_.get(), 0) != 0 || pwrite(file_.get(), text.data(), text.size(), 0) < 0)
     throw Error(std::string("a lock file cannot be written: ") + std::strerror(errno));
-}
-
-FileLock::~FileLock() {
-  if (descriptor_ >= 0) close(descriptor_);
 }
 
 Claim::Claim(FileLock lock, fs::path temporary, fs::path final)
@@ -118,12 +111,13 @@ void check_folder(const fs::path& folder, const Config& config) {
   if (!fs::is_directory(folder)) throw UsageError(folder.string() + " is a file; give another --out");
   const fs::path stored = folder / "config.toml";
   if (!fs::exists(stored)) {
-    // Unless it is what a process leaves that died before it had written all it starts with.
+    // A process that was killed early may have left some of the files that a results folder begins with.
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       std::string name = entry.path().filename().string();
-      if (const std::size_t at = name.find(unwritten); at != std::string::npos) name.resize(at);
+      if (const std::size_t at = name.find(PartialFile::mark); at != std::string::npos) name.resize(at);
       if (name == ".locks" || name == "published.toml" || name == "plan.json" || name == "config.toml") continue;
-      throw UsageError(folder.string() + " exists and is no results folder; rename the config or give another --out");
+      throw UsageError(folder.string() +
+                       " exists and is not a results folder; rename the config or give another --out");
     }
     return;
   }
@@ -149,20 +143,20 @@ std::optional<Status> stored_status(const fs::path& folder, const RunRequest& re
   try {
     const RunRecord record = read_record(path);
     if (result_key(record.request) == result_key(request)) return record.status;
-  } catch (const Error&) {  // damaged: as good as none
+  } catch (const Error&) {  // a damaged record counts as none
   }
   return std::nullopt;
 }
 
-// Of what is stored alone.
+// Without regard to other processes.
 RunState stored_state(const fs::path& folder, const RunRequest& request) {
   const std::optional<Status> status = stored_status(folder, request);
   if (!status) return RunState::missing;
   return *status == Status::ok || *status == Status::skipped ? RunState::done : RunState::retry;
 }
 
-// Whether a process that lives is at a run. The lock of a run that nobody has begun is let be: another process might
-// want it just then.
+// Whether a living process works on a run. The lock is not tried before a run has begun: another process that wants it
+// at that moment would fail.
 bool being_done(const fs::path& folder, const std::string& run) {
   const fs::path lock = lock_path(folder, run);
   return fs::exists(folder / (temporary_prefix + run)) && fs::exists(lock) && !FileLock::try_lock(lock);
@@ -199,7 +193,7 @@ FileLock lock_results(const fs::path& folder) {
 }
 
 Report write_report_locked(const fs::path& folder, ReportParts parts) {
-  if (!fs::exists(folder / "plan.json")) return write_report(folder, parts);  // which says that it is no results folder
+  if (!fs::exists(folder / "plan.json")) return write_report(folder, parts);  // throws: it is not a results folder
   const FileLock lock = lock_results(folder);
   return write_report(folder, parts);
 }
@@ -207,10 +201,10 @@ Report write_report_locked(const fs::path& folder, ReportParts parts) {
 Store::Store(fs::path folder, const Config& config, const std::vector<RunRequest>& plan) : folder_(std::move(folder)) {
   check_folder(folder_, config);
   const FileLock lock = lock_results(folder_);
-  check_folder(folder_, config);  // again: another process may have made it meanwhile
+  check_folder(folder_, config);  // again, because another process may have made it meanwhile
   remove_leftovers(folder_, lock);
   if (config.published) {
-    // Through a string: the source may be this very file, when a stored config is run again.
+    // Read it completely first: if a stored config is run again, source and target are the same file.
     write_text(folder_ / "published.toml", read_text(*config.published));
   }
   write_text(folder_ / "plan.json", [&plan](std::ostream& file) { write_plan(file, plan); });

@@ -1,7 +1,8 @@
-// The results folder of one experiment, safe for several processes at once.
+// The results folder of one experiment. Several processes may use it at once.
 //
-// A run is written into `.tmp-<run>` under an exclusive lock on `.locks/<run>` and renamed when it is complete. The
-// kernel drops the lock of a process that dies, so a temporary folder whose lock can be had is a dead one's.
+// A run is written to `.tmp-<run>` under an exclusive lock on `.locks/<run>`, and its folder is renamed when it is
+// complete. The kernel releases the lock of a process that dies: if the lock is free, the temporary folder is left
+// over.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "isobench/experiments/plan/config.h"
+#include "isobench/foundation/processes/descriptor.h"
 #include "isobench/reports/record/record.h"
 #include "isobench/reports/report.h"
 
@@ -18,22 +20,17 @@ namespace isobench {
 /// An exclusive lock on a file, held until destruction.
 class FileLock {
  public:
-  /// std::nullopt where another process holds it.
+  /// std::nullopt if another process holds it.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
-  /// What the file is to hold, for others to see who has the lock.
+  /// Replaces the content of the file, which tells other processes who holds the lock.
   void write(const std::string& text) const;
-  FileLock(FileLock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
-  ~FileLock();
-  FileLock& operator=(FileLock&&) = delete;
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
 
  private:
-  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
-  int descriptor_ = -1;
+  explicit FileLock(Descriptor file) : file_(std::move(file)) {}
+  Descriptor file_;
 };
 
-/// The right to do one run. Its temporary folder disappears with it unless it was committed.
+/// The right to do one run. Its temporary folder is removed when the scope ends, unless it was committed.
 class Claim {
  public:
   Claim(FileLock lock, std::filesystem::path temporary, std::filesystem::path final);
@@ -45,7 +42,7 @@ class Claim {
 
   /// Where to write.
   const std::filesystem::path& folder() const { return temporary_; }
-  /// Makes the folder the run's, in the place of an earlier one. It must hold a run.json.
+  /// Turns the temporary folder into the folder of the run and replaces an earlier one. It must contain run.json.
   void commit();
 
  private:
@@ -55,62 +52,63 @@ class Claim {
 };
 
 enum class RunState {
-  missing,    ///< never run, or its record is damaged or of something else
-  retry,      ///< failed, or out of time or memory
+  missing,    ///< never run, or the record is damaged or belongs to another request
+  retry,      ///< failed, or exceeded a limit of time or memory
   done,       ///< ok or skipped
-  elsewhere,  ///< not done, but another process is at it
+  elsewhere,  ///< not done, but another process is working on it
 };
 
-/// Who is at a run, or was last.
+/// The process that works on a run, or did so last.
 struct Owner {
   std::string host;
   int pid = 0;
-  std::string job;    ///< "123_4", of a Slurm task; "" elsewhere
+  std::string job;    ///< the Slurm task, such as "123_4"; "" if there is none
   std::string since;  ///< UTC, ISO 8601
 };
 
 class Store {
  public:
-  /// Makes or opens `folder` for a config, removes what dead processes left and writes config.toml, plan.json and
-  /// published.toml. Throws UsageError where the folder belongs to another config, or is something else.
+  /// Makes or opens `folder` for a config. Removes what killed processes left, and writes config.toml, plan.json and
+  /// published.toml. Throws UsageError if the folder belongs to another config or is not a results folder.
   Store(std::filesystem::path folder, const Config& config, const std::vector<RunRequest>& plan);
 
-  /// A results folder that is there, as it is.
+  /// Opens a results folder that exists.
   explicit Store(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::filesystem::create_directories(folder_ / ".locks");  // a copied folder may have come without
+    std::filesystem::create_directories(folder_ / ".locks");  // a copied folder may lack it
   }
 
   const std::filesystem::path& folder() const { return folder_; }
   RunState state(const RunRequest& request) const;
-  /// When the stored record of a run was written; std::nullopt where there is none. Differs for every record.
+  /// When the stored record of a run was written; std::nullopt if there is none. A new record has a new time.
   std::optional<std::filesystem::file_time_type> recorded(const RunRequest& request) const;
-  /// std::nullopt where another process is doing this run.
+  /// std::nullopt if another process works on this run.
   std::optional<Claim> claim(const RunRequest& request) const;
-  /// Held while a timed run goes on, so that no other process of this machine runs one of this folder beside it;
-  /// std::nullopt where another process holds it.
+  /// The lock of a timed run: no two processes on this machine do timed runs of this folder at once. std::nullopt if
+  /// another process holds it.
   std::optional<FileLock> claim_quiet() const;
 
  private:
   std::filesystem::path folder_;
 };
 
-/// Held while the files beside the runs (plan, tables, results.csv) are read and written, so that the last process to
-/// finish writes what all have done. Waits for it; throws Error after three minutes, far more than a report takes.
+/// The lock for the files beside the runs (plan, tables, results.csv). A process holds it while it reads the runs and
+/// writes the tables, so that the last process to finish writes the runs of all. Waits for the lock; throws Error after
+/// three minutes, which is far more than a report takes.
 FileLock lock_results(const std::filesystem::path& folder);
 /// write_report() under that lock.
 Report write_report_locked(const std::filesystem::path& folder, ReportParts parts);
 
-/// What is stored of a run, and whether a living process is at it. Makes and touches nothing.
+/// The stored state of a run, and whether a process works on it. Changes nothing on disk.
 struct StoredRun {
-  std::optional<Status> status;  ///< std::nullopt where there is no record, or one that is damaged or of something else
+  std::optional<Status> status;  ///< std::nullopt as for RunState::missing
   bool elsewhere = false;
 };
 StoredRun stored_run(const std::filesystem::path& folder, const RunRequest& request);
-/// What Store::state() would say, and `elsewhere` for what another process is at, without making or touching anything.
+/// As Store::state(), but also tells `elsewhere`. Changes nothing on disk.
 RunState run_state(const std::filesystem::path& folder, const RunRequest& request);
-/// Who claimed a run last; std::nullopt where nobody did.
+/// The process that claimed a run last; std::nullopt if none did.
 std::optional<Owner> last_owner(const std::filesystem::path& folder, const std::string& run);
-/// Throws UsageError where a results folder that exists does not belong to this config.
+/// Throws UsageError if the folder exists and does not belong to this config.
 void check_folder(const std::filesystem::path& folder, const Config& config);
 
 }  // namespace isobench

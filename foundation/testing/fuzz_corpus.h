@@ -1,4 +1,4 @@
-// For the tests Corpus.<name>: every file of a fuzz target's corpus through the target.
+// For the tests Corpus.<name>, which give every file of a corpus to its fuzz target.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,27 +6,26 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "isobench/foundation/files/whole_files.h"
+
 namespace isobench {
 
-/// None of the files may do harm or print. Those named "good…" are accepted and all others refused; there are both, or
-/// the corpus would not reach what it is for.
+/// No file may do harm or make the target print. Files named "good…" must be accepted and all others refused. A corpus
+/// needs both, or it would not try both ways through the target.
 inline void try_corpus(const std::filesystem::path& folder, bool (*target)(std::string_view)) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::size_t good = 0;
-  std::string findings;  // told afterwards: what is printed meanwhile is a finding, too
+  std::string findings;  // reported at the end, because anything printed before is a finding, too
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   for (const std::filesystem::path& file : files) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const std::string bytes = read_text(file);
     const std::string name = file.filename().string();
     bool accepted = false;
     try {

@@ -1,11 +1,12 @@
 // Fuzzing. A target is a function `bool isobench::fuzz_<name>(std::string_view bytes)` in a *_fuzz.cpp beside the code
-// that it tries, listed in its folder's CMakeLists.txt: it takes any bytes for an input and returns whether they were a
-// good one. From it come
-//   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which looks for inputs that do
-//     harm, starting from corpus/<name>/ beside the target;
-//   - the test Corpus.<name> of the folder's suite, which tries every file of that corpus, in any build.
-// Whatever harm is found becomes a file of the corpus when it is mended. An input may be refused with a UsageError or a
-// DataError. Everything else that leaves a target is a finding.
+// that it tries, named in the CMakeLists.txt of its floor. It takes any bytes as input and returns whether they were
+// valid. CMake makes two things from it:
+//   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which searches for harmful inputs
+//   and
+//     starts from those in corpus/<name>/ beside the target;
+//   - the test Corpus.<name>, which tries every file of that corpus in any build.
+// A target may refuse an input with a UsageError or a DataError. Any other exception is a finding. When a finding is
+// mended, its input becomes a file of the corpus.
 #pragma once
 
 #include <cstdlib>
@@ -20,12 +21,12 @@
 
 namespace isobench {
 
-/// A finding: of a state that no input may lead to.
+/// Reports a finding unless `holds`, which no input may break.
 inline void require(bool holds, const std::string& what) {
   if (!holds) throw std::logic_error("required of every input: " + what);
 }
 
-/// Runs `body`, which returns whether its input was a good one; false where that was refused as it should be.
+/// Runs `body`, which returns whether its input was valid. Returns false if the input was refused with a proper error.
 template <class Body>
 bool accepts(Body&& body) {
   const auto check = [](const Error& error) {
@@ -43,7 +44,7 @@ bool accepts(Body&& body) {
   }
 }
 
-/// A file of these bytes, in a folder of this process that all targets share; what is read by path is tried so.
+/// Writes the bytes to a file, for targets that read by path, and returns its path. The folder is that of this process.
 inline std::filesystem::path fuzz_file(const std::string& name, std::string_view bytes) {
   static const TestFolder folder;
   std::filesystem::path path = folder.path() / name;

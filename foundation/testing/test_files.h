@@ -1,44 +1,16 @@
-// For tests: bytes as files hold them, and environment variables that go when the test ends.
+// For tests: bytes as files hold them.
 #pragma once
 
 #include <zlib.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include "isobench/foundation/testing/test_folder.h"
-
 namespace isobench {
 
-/// An environment variable for the length of a test.
-class TestVariable {
- public:
-  TestVariable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    had_ = std::getenv(name) != nullptr;
-    setenv(name, value.c_str(), 1);
-  }
-  ~TestVariable() {
-    if (had_)
-      setenv(name_, before_.c_str(), 1);
-    else
-      unsetenv(name_);
-  }
-  TestVariable(const TestVariable&) = delete;
-  TestVariable& operator=(const TestVariable&) = delete;
-
- private:
-  const char* name_;
-  std::string before_;
-  bool had_ = false;
-};
-
-/// Deflated with a gzip (`gzip` true) or zlib header.
+/// The bytes, compressed by deflate, with a gzip header if `gzip`, otherwise with a zlib header.
 inline std::string deflated(const std::string& bytes, bool gzip) {
   z_stream stream{};
   deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip ? 15 + 16 : 15, 8, Z_DEFAULT_STRATEGY);
@@ -54,7 +26,7 @@ inline std::string deflated(const std::string& bytes, bool gzip) {
   return out;
 }
 
-/// The bytes of one value, in the machine's order or swapped.
+/// The bytes of one value, in the order of this machine or in the other one (`swapped`).
 template <class Value>
 std::string bytes_of_value(Value value, bool swapped = false) {
   std::string bytes(sizeof(Value), '\0');

@@ -1,4 +1,4 @@
-// What tests ask of texts.
+// For tests: questions about texts.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 
 namespace isobench {
 
+/// How often `part` occurs in `text`.
 inline std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;

@@ -8,16 +8,16 @@ namespace isobench::advancing_front {
 
 namespace {
 
-/// The smallest step to expect on the same sheet within a distance: fields are limited to a slope of 0.3 at most.
+/// A lower bound on the step at `distance` from a point with step `step`: sizing fields have a slope of at most 0.3.
 double least_step(double step, double distance) { return std::max(0.1 * step, step - 0.3 * distance); }
 
 }  // namespace
 
 struct Advance::Rules {
-  double margin;     ///< between a grown triangle and fences, in steps
-  double agreement;  ///< least cosine between a triangle's normal and those of its corners
-  double reach;      ///< how far off connected vertices may be, in edge lengths
-  double shrink;     ///< of a grown triangle's sides
+  double margin;     ///< least distance between a grown triangle and fences, in steps
+  double agreement;  ///< least cosine between a triangle's normal and the normals at its corners
+  double reach;      ///< greatest distance of a vertex to connect to, in edge lengths
+  double shrink;     ///< factor on the sides of a grown triangle
 };
 
 const Advance::Rules& Advance::rules(int n) {
@@ -65,7 +65,7 @@ void Advance::push_connect(int node, int rules, double angle) {
 }
 
 bool Advance::is_meshed(const Vertex& apex, int rules) const {
-  // An equilateral triangle's centre is 0.58 from its corners; a new vertex is 0.87 ahead of what is behind it.
+  // In steps: the new vertex of an equilateral triangle is 0.87 from its base edge, which lies on the meshed side.
   const double distance = 0.7 * Advance::rules(rules).shrink * apex.step;
   return front_.is_behind(apex, distance, least_step(apex.step, distance));
 }
@@ -78,7 +78,7 @@ std::optional<int> Advance::vertex_at(const Vertex& apex) const {
 }
 
 void Advance::try_grow(const Entry& entry) {
-  // The gaps at its ends may have changed since the triangle was thought of.
+  // The gaps at the edge's ends may have changed since the entry was queued.
   const Vertex apex = apex_of(entry.node, entry.rules).value_or(*apexes_[static_cast<std::size_t>(entry.node)]);
   const Vertex &a = front_.vertex(entry.node), &b = front_.vertex(front_.next(entry.node));
   Tentative t{{&a, &b, &apex}, entry.node, -1};
@@ -148,7 +148,7 @@ void Advance::try_connect(const Entry& entry) {
   if (!best) {
     waiting_.push_back(entry);
   } else if (best->angle < -entry.key - 1e-12) {
-    push_connect(entry.node, entry.rules, best->angle);  // others may come first now
+    push_connect(entry.node, entry.rules, best->angle);  // other edges may have a better candidate now
   } else {
     connect(entry.node, best->node);
   }

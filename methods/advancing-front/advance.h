@@ -1,4 +1,4 @@
-// Moves a front over the surface until nothing is left to do (Schreiner, Scheidegger, Silva 2006).
+// Moves a front over the surface until no edge can be advanced any more (Schreiner, Scheidegger, Silva 2006).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,29 +16,30 @@
 
 namespace isobench::advancing_front {
 
-/// How many triangles came from what.
+/// The number of triangles by the operation that made them.
 struct Counts {
-  std::size_t seed = 0;
+  std::size_t seed = 0;       ///< the first triangle of a front
   std::size_t grown = 0;      ///< with a new vertex
   std::size_t connected = 0;  ///< ears, and the last triangles of loops
-  std::size_t split = 0;      ///< that made two loops of one
-  std::size_t merged = 0;     ///< that made one loop of two
-  std::size_t failsafe = 0;
+  std::size_t split = 0;      ///< split one loop into two
+  std::size_t merged = 0;     ///< merged two loops into one
+  std::size_t failsafe = 0;   ///< closed a hole that the front had left
 };
 
-/// Grows where there is room, best triangle first, and connects where there is none. Edges where neither is allowed are
-/// tried again under looser rules when all others are done; what then remains is left to the failsafe.
+/// Advances the edges of a front. An edge grows a triangle with a new vertex if there is room, best triangle first;
+/// otherwise it is connected to a vertex of the front. Edges for which both fail are tried again under looser rules
+/// after all others. The failsafe closes what then remains.
 class Advance {
  public:
-  /// Keeps references. Nothing grows out of `bounds`.
+  /// Keeps references. New vertices stay within `bounds`.
   Advance(const Isosurface& surface, Step step, Front& front, Counts& counts, const Eigen::AlignedBox3d& bounds)
       : surface_(surface), step_(std::move(step)), front_(front), counts_(counts), bounds_(bounds) {}
 
-  /// All edges of the loop through a node will be advanced.
+  /// Queues all edges of the loop through a node.
   void add_loop(int node);
   /// Throws Cancelled.
   void run(const Monitor& monitor);
-  /// Whether the front wanted to leave the bounds.
+  /// Whether the bounds have kept an edge from growing.
   bool strayed() const { return strayed_; }
 
  private:
@@ -47,11 +48,11 @@ class Advance {
   struct Entry {
     Kind kind;
     int rules;
-    double key;  ///< the smaller the sooner, within a kind
+    double key;  ///< entries of one kind are taken in ascending order of it
     std::uint64_t order;
     int node;
     std::uint32_t stamp;
-    bool operator<(const Entry& other) const {  // std::priority_queue gives the largest
+    bool operator<(const Entry& other) const {  // reversed: std::priority_queue returns the largest entry
       if (kind != other.kind) return kind > other.kind;
       if (key != other.key) return key > other.key;
       return order > other.order;
@@ -83,7 +84,7 @@ class Advance {
   bool strayed_ = false;
   std::priority_queue<Entry> queue_;
   std::uint64_t order_ = 0;
-  std::vector<std::optional<Vertex>> apexes_;  // by node: what its edge would grow
+  std::vector<std::optional<Vertex>> apexes_;  // by node: the vertex that its edge would grow
   std::vector<Entry> waiting_;
   std::size_t triangles_at_retry_ = 0;
   int retry_rules_ = 0;

@@ -12,26 +12,10 @@
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
-
-Isosurface surface_of(const std::string& name, int nodes) {
-  return Isosurface(sample_phantom(phantom(name), nodes), 0.0);
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
-}
-
-SizingRequest uniform(double edge_length) {
-  SizingRequest request;
-  request.edge_length = edge_length;
-  return request;
-}
 
 TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor, std::uint64_t seed = 1,
                      const std::string& guidance = "shared") {
@@ -130,7 +114,7 @@ TEST(AdvancingFront, ItsOwnGuidanceClosesToo) {
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 0);
   EXPECT_GE(mean_radius_ratio(mesh), 0.93);
-  EXPECT_EQ(monitor.seconds("sizing"), 0.0);  // the shared field was not asked for
+  EXPECT_EQ(monitor.seconds("sizing"), 0.0);  // the shared field was not computed
 }
 
 bool same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
@@ -154,8 +138,8 @@ TEST(AdvancingFront, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
-  // A ball, and one grain of a voxel's size, far smaller than the edges asked for.
-  Volume v;
+  // A ball, and a grain of about one voxel, much smaller than the requested edges.
+  FloatVolume v;
   v.lattice.size = {40, 24, 24};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 24; ++k) {
@@ -177,8 +161,9 @@ TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
 }
 
 TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
-  // A ball, and grains of two voxels within a voxel or two of it, on edges longer than the grains.
-  Volume v;
+  // A ball, and grains of about two voxels at a distance of one or two voxels from it; edges are longer than the
+  // grains.
+  FloatVolume v;
   v.lattice.size = {40, 24, 24};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 24; ++k) {
@@ -206,9 +191,9 @@ TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
 }
 
 TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
-  // A hollow ball whose shell is so thin that the lattice sees holes in it: marching cubes has one component where
-  // F = c has two, as in the bone of a skull.
-  Volume v;
+  // A hollow ball with a shell so thin that the lattice's mesh has holes in it: marching cubes gives one component
+  // where F = c has two, as in the bone of a skull.
+  FloatVolume v;
   v.lattice.size = {28, 28, 28};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 28; ++k) {
@@ -230,7 +215,7 @@ TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
 }
 
 TEST(AdvancingFront, ReportsEveryPlaceThatTheFailsafeHadToClose) {
-  // Edges as long as the radius of the tube: the front cannot close on its own everywhere.
+  // Edges as long as the radius of the tubes: the front cannot close everywhere without the failsafe.
   const Isosurface surface = surface_of("gyroid-ball", 64);
   Monitor monitor;
   const TriangleMesh mesh = mesh_of(surface, uniform(5.0 * surface.voxel()), monitor);
@@ -247,7 +232,7 @@ TEST(AdvancingFront, ReportsEveryPlaceThatTheFailsafeHadToClose) {
 }
 
 TEST(AdvancingFront, SkipsAnObjectThatLeavesTheVolume) {
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {8, 8, 8};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 8; ++k) {

@@ -11,7 +11,7 @@ namespace isobench::advancing_front {
 
 namespace {
 
-/// The circle that the apex runs on: foot + height (cos φ · level + sin φ · up).
+/// The circle of points with the given distances from a and b: foot + height (cos φ · level + sin φ · up).
 struct Circle {
   Eigen::Vector3d foot;
   Eigen::Vector3d level;
@@ -35,19 +35,20 @@ bool in_lattice(const Isosurface& surface, const Eigen::Vector3d& x) {
   return (x.array() >= 0.0).all() && (x.array() <= surface.extent().array()).all();
 }
 
-/// The angle of a triangle with sides p, q between them and r opposite.
+/// The angle between the sides p and q of a triangle whose third side is r.
 double angle_between(double p, double q, double r) {
   return std::acos(std::clamp((p * p + q * q - r * r) / (2.0 * p * q), -1.0, 1.0));
 }
 
-/// The triangle's own angle, or its even share of a gap that has room for one or two.
+/// The angle that a triangle takes of a gap: its `own` one, or an equal share if the gap has room for only one or two
+/// triangles.
 double share_of(double gap, double own) {
   constexpr double sixty = std::numbers::pi / 3.0;
   if (gap > 2.5 * sixty) return own;
   return std::clamp(gap / std::max(1.0, std::round(gap / sixty)), 0.8 * sixty, 1.2 * sixty);
 }
 
-/// Sides with angles that share the gaps at both ends; the apex lies between where either end would have it.
+/// Sides whose angles share the gaps at both ends: each end proposes a position of the apex, and their mean is taken.
 Sides shared_out(double edge, const Sides& sides, const GapAngles& gaps) {
   const double at_a = share_of(gaps.at_a, angle_between(edge, sides.from_a, sides.from_b));
   const double at_b = share_of(gaps.at_b, angle_between(edge, sides.from_b, sides.from_a));
@@ -60,13 +61,13 @@ Sides shared_out(double edge, const Sides& sides, const GapAngles& gaps) {
 
 Sides feasible_sides(double edge, const Sides& wanted) {
   Sides sides = wanted;
-  // The foot of the apex stays between a and b where the difference of the squares is below the edge's square.
+  // The foot of the apex lies between a and b if the squares of the sides differ by less than the square of the edge.
   const double square_gap = sides.from_a * sides.from_a - sides.from_b * sides.from_b;
   if (std::abs(square_gap) > 0.8 * edge * edge) {
     const double mean = 0.5 * (sides.from_a + sides.from_b);
     sides = {mean, mean};
   }
-  const double stretch = 1.15 * edge / (sides.from_a + sides.from_b);  // 30° at both ends
+  const double stretch = 1.15 * edge / (sides.from_a + sides.from_b);  // equal sides then have 30° at both ends
   if (stretch > 1.0) sides = {stretch * sides.from_a, stretch * sides.from_b};
   return sides;
 }
@@ -82,7 +83,7 @@ std::optional<Eigen::Vector3d> rotate_to_surface(const Isosurface& surface, cons
   const Circle circle(a, b, normal, sides);
   constexpr double bracket = std::numbers::pi / 60.0;
   const double start = surface.value(circle.at(0.0));
-  const double sign = start > 0.0 ? 1.0 : -1.0;  // f > 0 is inside: the surface is above
+  const double sign = start > 0.0 ? 1.0 : -1.0;  // where f > 0, the point is inside and the surface above it
   double low = 0.0, f_low = start;
   for (int n = 1; n <= 30; ++n) {
     const double high = n * bracket;

@@ -17,7 +17,7 @@ const Isosurface& sphere() {
 }
 
 Eigen::Vector3d foot(const Eigen::Vector3d& direction) {
-  // From well inside outwards: the object is a ball round the volume's middle.
+  // From inside outwards; the object is a ball at the centre of the volume.
   const Eigen::Vector3d centre = 0.5 * sphere().extent();
   Eigen::Vector3d x = centre;
   while (sphere().value(x) > 0.0) x += 0.2 * sphere().voxel() * direction.normalized();
@@ -72,7 +72,7 @@ TEST(AdvancingFrontApex, GrowsWithTheSidesThatTheSizingAsksFor) {
   ASSERT_TRUE(smaller.has_value());
   EXPECT_NEAR((smaller->x - a.x).norm(), 2.0, 1e-9);
 
-  // With 100° to share at a the new edge goes half way, as far as b, which has room, lets it.
+  // The gap of 100° at a asks for 50°; b has room and asks for 60°. The position is the mean of both proposals.
   const auto turned = grown_apex(sphere(), step, a, b, 1.0, {100.0 / 180.0 * std::numbers::pi, 3.1});
   ASSERT_TRUE(turned.has_value());
   EXPECT_LT((turned->x - b.x).norm(), (apex->x - b.x).norm());

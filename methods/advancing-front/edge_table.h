@@ -1,4 +1,4 @@
-// Which directed edges the triangles made so far have used: what keeps a mesh manifold while it grows.
+// The directed edges of the triangles made so far. No directed edge may be used twice: this keeps the mesh manifold.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace isobench::advancing_front {
 
-/// A set of pairs of vertex numbers with open addressing; nothing is ever taken out. The pair (2³²−1, 2³²−1) is not
-/// allowed.
+/// A hash set of pairs of vertex numbers, with open addressing and without removal. The pair (2³²−1, 2³²−1) is not
+/// allowed: it marks free slots.
 class EdgeTable {
  public:
   EdgeTable() : slots_(1024, free_slot) {}

@@ -10,7 +10,7 @@ namespace isobench::advancing_front {
 
 namespace {
 
-/// The angle between the edges at a node, on the side that is not meshed; above π where that side is reflex.
+/// The angle between the edges at a node on the side that is not meshed, in (0, 2π).
 double corner_angle(const Front& front, int node) {
   const Vertex& at = front.vertex(node);
   const Eigen::Vector3d out = front.vertex(front.next(node)).x - at.x;
@@ -19,7 +19,7 @@ double corner_angle(const Front& front, int node) {
   return at.normal.dot(out.cross(in)) < 0.0 ? 2.0 * std::numbers::pi - angle : angle;
 }
 
-/// The node with the smallest angle whose corner may be cut off; −1 if there is none.
+/// The node with the smallest angle among those whose corner may be cut off; −1 if there is none.
 int sharpest(const Front& front, int loop) {
   int found = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -47,7 +47,8 @@ Hole describe(const Front& front, int loop) {
   return hole;
 }
 
-/// Closes a loop with triangles round a new vertex; returns how many, 0 if the loop touches itself.
+/// Closes a loop with a fan of triangles round a new vertex and returns their number; does nothing and returns 0 if the
+/// loop touches itself.
 std::size_t fan(const Isosurface& surface, Front& front, int loop) {
   std::set<std::uint32_t> seen;
   int n = loop;
@@ -64,7 +65,7 @@ std::size_t fan(const Isosurface& surface, Front& front, int loop) {
   return triangles + 1;
 }
 
-/// Closes the loop through a node as far as it can be.
+/// Closes the loop through a node, or takes it off the front if that is impossible.
 void close(const Isosurface& surface, Front& front, int loop, Hole& hole) {
   std::vector<int> changed;
   while (true) {

@@ -8,9 +8,9 @@
 namespace isobench::advancing_front {
 namespace {
 
-/// The plane z = 3.5, object below.
+/// The plane z = 3.5 with the object below it.
 Isosurface plane() {
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {12, 12, 8};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 8; ++k) {
@@ -23,7 +23,7 @@ Isosurface plane() {
 
 Vertex on_rim(double x, double y) { return {{x, y, 3.5}, {0.0, 0.0, 1.0}, 1.0}; }
 
-/// Signed, seen from outside.
+/// The signed area of the triangles, positive if they are counter-clockwise seen from outside.
 double area(const Front& front) {
   double sum = 0.0;
   for (const auto& [a, b, c] : front.triangles()) {
@@ -35,7 +35,7 @@ double area(const Front& front) {
 
 TEST(AdvancingFrontFailsafe, CutsTheSharpestCornerFirst) {
   Front front(0.1);
-  // A kite: the corner at (6, 2) is the sharpest, and cut off; a cut through it would leave two slivers.
+  // A kite: the corner at (6, 2) is the sharpest and is cut off. A cut through it would leave two slivers.
   front.boundary({on_rim(6, 2), on_rim(7, 7), on_rim(6, 8), on_rim(5, 7)});
   const auto holes = close_holes(plane(), front);
   ASSERT_EQ(holes.size(), 1U);
@@ -51,8 +51,8 @@ TEST(AdvancingFrontFailsafe, CutsTheSharpestCornerFirst) {
   EXPECT_NEAR(area(front), 6.0, 1e-12);
 }
 
-// Cutting by angle alone may fold a triangle over at a reflex corner, as published; the hole is filled all the same:
-// signed areas add up.
+// Cutting by angle alone, as published, may fold a triangle over at a reflex corner. The hole is still filled: the
+// signed areas add up to that of the hole.
 TEST(AdvancingFrontFailsafe, FillsAHoleWithAReflexCorner) {
   Front front(0.1);
   front.boundary({on_rim(2, 2), on_rim(8, 2), on_rim(8, 4), on_rim(4, 4), on_rim(4, 8), on_rim(2, 8)});

@@ -12,9 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sheets whose normals differ by more are not neighbours on the surface.
+/// The least cosine between the normals of an edge and of a triangle on one sheet. Below it, they are on different
+/// sheets.
 constexpr double least_agreement = -0.7;
-/// How far a fence reaches along its normal, relative to the longer of two edges.
+/// The height of a fence to either side, relative to the longer of the two edges.
 constexpr double fence_height = 0.7;
 
 double distance_to_segment(const Vector3d& x, const Vector3d& a, const Vector3d& b) {
@@ -24,7 +25,7 @@ double distance_to_segment(const Vector3d& x, const Vector3d& a, const Vector3d&
   return (x - a - t * along).norm();
 }
 
-/// Whether p→q and u→v cross seen along m, and pass each other within `height` of it.
+/// Whether p→q and u→v cross when seen along the unit vector m, at a distance below `height` along m.
 bool cross(const Vector3d& p, const Vector3d& q, const Vector3d& u, const Vector3d& v, const Vector3d& m,
            double height) {
   const Vector3d pq = q - p, uv = v - u;
@@ -37,14 +38,15 @@ bool cross(const Vector3d& p, const Vector3d& q, const Vector3d& u, const Vector
   return std::abs(m.dot(on_pq - on_uv)) < height;
 }
 
-/// The angle from `from` counter-clockwise to `to` about n, in [0, 2π).
+/// The angle about n from `from` counter-clockwise to `to`, in [0, 2π).
 double angle_about(const Vector3d& n, const Vector3d& from, const Vector3d& to) {
   const Vector3d f = from - n * n.dot(from), t = to - n * n.dot(to);
   const double angle = std::atan2(n.dot(f.cross(t)), f.dot(t));
   return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }
 
-/// Directions round a node, as angles from its own edge counter-clockwise; the gap ends at the edge that arrives.
+/// The gap at a node, between the edge that leaves it and the edge that arrives. Directions are angles about the
+/// normal, counter-clockwise from the edge that leaves.
 struct Gap {
   const Vertex& at;
   Vector3d out;
@@ -78,7 +80,7 @@ class FenceCheck {
       if (end_side_is_new_ && cross(corner(1), corner(2), u.x, v.x, m, height)) return Fence::crossed;
       if (start_side_is_new_ && cross(corner(2), corner(0), u.x, v.x, m, height)) return Fence::crossed;
     } else if (u_shared != v_shared) {
-      // An edge that starts at a corner may still leave through the opposite side.
+      // An edge that starts at a corner of the triangle may cross the opposite side.
       if (crosses_opposite_side(u_shared ? u : v, u_shared ? v : u, m, height)) return Fence::crossed;
     }
     if (!u_shared && contains(u.x, m, height)) return Fence::crossed;
@@ -97,7 +99,7 @@ class FenceCheck {
     if (&shared == t_.corners[1]) {
       return start_side_is_new_ && cross(corner(2), corner(0), shared.x, other.x, m, height);
     }
-    return false;  // nothing of the front crosses the base
+    return false;  // the opposite side is the base: no edge of the front crosses another
   }
 
   bool contains(const Vector3d& x, const Vector3d& m, double height) const {

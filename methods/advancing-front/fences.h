@@ -1,6 +1,6 @@
-// Whether a triangle may be added: its normal, the gaps at its corners, and the fences of the front round it. A fence
-// is the ribbon that an edge of the front sweeps along its normal, so that edges that miss each other in space but
-// cross on the surface are seen to cross.
+// The checks of a triangle before it is added: its normal, the gaps at its corners, and the fences near it. A fence is
+// the ribbon that an edge of the front sweeps along its normal. With fences, two edges that cross on the surface are
+// found to cross even if they miss each other in space.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace isobench::advancing_front {
 
-/// A triangle that is thought of: its corners, counter-clockwise from outside, the base edge's first node, and the node
-/// of the third corner, −1 where that is new.
+/// A triangle that may be added: its corners (counter-clockwise from outside), the first node of its base edge, and the
+/// node of its third corner, −1 if that vertex is new.
 struct Tentative {
   std::array<const Vertex*, 3> corners;
   int base = -1;
@@ -21,23 +21,23 @@ struct Tentative {
 
 /// The smallest angle, radians.
 double smallest_angle(const Tentative& t);
-/// Circumradius over inradius: 2 where equilateral.
+/// Circumradius over inradius; 2 for an equilateral triangle.
 double circumradius_over_inradius(const Tentative& t);
-/// The smallest cosine between the triangle's normal and those of its corners.
+/// The smallest cosine between the triangle's normal and the normals at its corners.
 double normal_agreement(const Tentative& t);
-/// The smallest angle (radians) that its new edges leave of the gaps that they divide; π where none is divided.
-/// std::nullopt where an edge does not leave its corner into the gap.
+/// The smallest angle (radians) that remains of a gap after the triangle's new edges have divided it; π if they divide
+/// none. std::nullopt if a new edge does not leave its corner into the gap, or if an angle is below 0.001.
 std::optional<double> gaps_left(const Front& front, const Tentative& t);
 
-/// The angle (radians) of a node's gap, in (0, 2π), seen along its normal.
+/// The angle (radians) of a node's gap about its normal, in [0, 2π).
 double gap_angle(const Front& front, int node);
 
-/// What the front round a triangle does to it.
+/// How a triangle lies to the fences round it.
 enum class Fence { clear, near, crossed };
 
-/// Looks at the fences of the edges in `edges`: `crossed` where one crosses an edge of the triangle or ends in it;
-/// `near` where a fence comes nearer than `margin` (mm) to the new vertex or ends that near to a new edge. Edges whose
-/// normals are far from the triangle's belong to another sheet and do not count.
+/// Checks a triangle against the fences of `edges`. `crossed`: a fence crosses an edge of the triangle or ends in it.
+/// `near`: a fence is nearer than `margin` (mm) to the new vertex, or ends nearer than that to a new edge. Edges whose
+/// normal is nearly opposite to the triangle's are on another sheet and are ignored.
 Fence fences(const Front& front, const Tentative& t, const std::vector<int>& edges, double margin);
 
 }  // namespace isobench::advancing_front

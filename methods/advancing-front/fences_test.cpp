@@ -10,7 +10,7 @@ namespace {
 
 Vertex at(double x, double y, double z = 0.0, double up = 1.0) { return {{x, y, z}, {0.0, 0.0, up}, 1.0}; }
 
-/// A wide loop round what is to be meshed, with (0, 0) → (1, 0) as its first edge.
+/// A wide loop round a region to mesh, with (0, 0) → (1, 0) as its first edge.
 int wide_loop(Front& front) { return front.boundary({at(0, 0), at(1, 0), at(5, 0), at(5, 5), at(-5, 5), at(-5, 0)}); }
 
 std::vector<int> all_edges(const Front& front) {
@@ -73,7 +73,7 @@ TEST(AdvancingFrontFences, GapsAreTheAnglesThatAreLeft) {
   const int base = wide_loop(front);
   const Vertex apex = at(0.5, 0.5 * std::numbers::sqrt3);
   const Tentative t{{&front.vertex(base), &front.vertex(front.next(base)), &apex}, base, -1};
-  // Both corners of the base lie on a straight line: 180° less the triangle's 60°.
+  // The front is straight at both corners of the base: 180° minus the triangle's 60°.
   EXPECT_NEAR(gaps_left(front, t).value(), 2.0 * std::numbers::pi / 3.0, 1e-12);
   EXPECT_NEAR(smallest_angle(t), std::numbers::pi / 3.0, 1e-12);
   EXPECT_NEAR(circumradius_over_inradius(t), 2.0, 1e-12);

@@ -108,7 +108,7 @@ int Front::link_loop(const std::vector<std::uint32_t>& vertices) {
 int Front::seed(const std::array<Vertex, 3>& corners) {
   const std::uint32_t a = make_vertex(corners[0]), b = make_vertex(corners[1]), c = make_vertex(corners[2]);
   add_triangle(a, b, c);
-  return link_loop({a, c, b});  // what is not meshed lies outside the triangle
+  return link_loop({a, c, b});  // clockwise: the region to mesh, outside the triangle, is on the left
 }
 
 int Front::boundary(const std::vector<Vertex>& loop) {
@@ -139,7 +139,7 @@ bool Front::connectable(int n, int apex) const {
 }
 
 bool Front::same_loop(int node, int apex) const {
-  // Two walks at once, so that the cost is that of the shorter way round.
+  // Two walks in step, so that the shorter of the two ways bounds the cost.
   const int end = next(node);
   int from_apex = apex, from_end = end;
   while (true) {

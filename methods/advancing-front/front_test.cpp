@@ -16,7 +16,7 @@ MeshFacts facts_of(const Front& front) {
   return mesh_facts(mesh);
 }
 
-/// The vertices of a loop, from a node on.
+/// The vertices of a loop, beginning at a node.
 std::vector<std::uint32_t> loop_of(const Front& front, int node) {
   std::vector<std::uint32_t> vertices;
   int n = node;
@@ -71,7 +71,7 @@ TEST(Front, ConnectingTwoLoopsMergesThem) {
   Front front(0.1);
   const int outer = front.boundary({upright(0, 0), upright(9, 0), upright(9, 9), upright(0, 9)});
   const int inner = front.boundary(
-      {upright(3, 3), upright(3, 6), upright(6, 6), upright(6, 3)});  // what is not meshed lies outside it
+      {upright(3, 3), upright(3, 6), upright(6, 6), upright(6, 3)});  // the region to mesh lies outside it
   std::vector<int> changed;
   EXPECT_EQ(front.connect(outer, inner, changed), Link::merge);
   EXPECT_EQ(loop_of(front, outer), (Loop{0, 4, 5, 6, 7, 4, 1, 2, 3}));
@@ -81,7 +81,7 @@ TEST(Front, RefusesEdgesThatHaveTheirTwoTrianglesOrTwoGaps) {
   Front front(0.1);
   const int first = front.seed({upright(0, 0), upright(0, 1), upright(1, 0)});
   const int made = front.grow(first, upright(0.3, 0.3, 1.0));
-  // 0 → 3 → 2 → 1: the edge 0–2 lies between two triangles already, so the corner at 3 must not be cut off again.
+  // The loop is 0 → 3 → 2 → 1. The edge 0–2 has two triangles already, so the corner at 3 must not be cut off again.
   EXPECT_FALSE(front.connectable(first, front.next(made)));
   EXPECT_TRUE(front.connectable(front.next(made), made));
   EXPECT_FALSE(front.connectable(first, first));
@@ -100,7 +100,7 @@ TEST(Front, AnAbandonedLoopIsOffTheFront) {
 TEST(Front, OnlyVerticesLeftBehindCountAsMeshed) {
   Front front(0.1);
   const int first = front.seed({upright(0, 0), upright(0, 1), upright(1, 0)});
-  EXPECT_FALSE(front.is_behind(upright(0.1, 0.0), 0.5, 0.1));  // still on the rim
+  EXPECT_FALSE(front.is_behind(upright(0.1, 0.0), 0.5, 0.1));  // the vertex is still on the front
   const int made = front.grow(first, upright(0.3, 0.3, 1.0));
   std::vector<int> changed;
   front.connect(front.next(made), made, changed);
@@ -123,7 +123,7 @@ TEST(Front, WhatWasMadeLastCanBeTakenBack) {
   EXPECT_EQ(front.triangles().size(), triangles);
   EXPECT_EQ(loop_of(front, kept), (Loop{0, 2, 1}));
   EXPECT_EQ(front.alive(), 3U);
-  // Their vertices still say that this place was tried.
+  // The vertices stay, so that no front starts here again.
   EXPECT_TRUE(front.covers(upright(5.1, 0.1), 0.5, 0.1));
   EXPECT_FALSE(front.covers(upright(9.0, 0.1), 0.5, 0.1));
 }

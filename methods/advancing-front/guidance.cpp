@@ -22,7 +22,7 @@ namespace {
 
 constexpr int parts = 4;
 
-/// What one cell's samples allow at its corners.
+/// The steps that the samples of one cell allow at its corners.
 struct CellSteps {
   std::array<std::int32_t, 8> corner{};
   std::array<float, 8> step{};
@@ -34,7 +34,7 @@ class Sampler {
   Sampler(const Isosurface& surface, const Band& band, const GuidanceOptions& options, double largest)
       : surface_(surface), band_(band), options_(options), largest_(largest) {}
 
-  /// The cell above node n along all axes.
+  /// The steps of the cell whose lowest corner is node n.
   CellSteps operator()(std::size_t n, const std::vector<char>& inside) const {
     CellSteps cell;
     const auto& [i, j, k] = band_.node(n);
@@ -63,7 +63,7 @@ class Sampler {
           particles::uniform(options_.seed, n, 3 * static_cast<std::uint64_t>(part) + static_cast<std::uint64_t>(axis));
       x[axis] += band_.spacing()[axis] * (at[axis] + jitter) / parts;
     }
-    // Parts that the surface is far from would only repeat what nearer ones find.
+    // Parts far from the surface would project to points that nearer parts sample anyway.
     const Jet jet = surface_.value_gradient(x);
     if (!(std::abs(jet.value) < jet.gradient.norm() * band_.spacing().norm() / parts)) return std::nullopt;
     return surface_.project(x);

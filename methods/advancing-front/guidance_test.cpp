@@ -19,7 +19,7 @@ TEST(AdvancingFrontGuidance, OnASphereIsTheChordOfTheAngleTimesEta) {
   for (std::size_t n = 0; n < vertices.size(); n += 50) {
     const double bend = curvatures(surface.jet(vertices[n])).max_abs();
     const double tightest = 0.8 * 2.0 * std::sin(0.19634954 / 2.0) / bend;
-    // Sampled tightest curvatures nearby and the limiter's slope over a cell (0.2 voxel·√3/2) on either side.
+    // Tolerance: samples nearby may bend more, and the slope 0.2 acts over half a cell's diagonal to either side.
     EXPECT_NEAR(field.h(vertices[n]), tightest, 0.2 * surface.voxel()) << n;
   }
 }
@@ -42,7 +42,7 @@ TEST(AdvancingFrontGuidance, IsShortWhereTheSurfaceBendsAndGrowsNoFasterThanItsS
       steepest = std::max(steepest, std::abs(field.h(vertices[n]) - field.h(vertices[m])) / away);
     }
   }
-  EXPECT_LT(steepest, 1.3 * 0.2);  // between diagonal neighbours the discrete limiter reaches 1.3 times its slope
+  EXPECT_LT(steepest, 1.3 * 0.2);  // the discrete limiter reaches 1.3 times its slope between diagonal neighbours
   EXPECT_GT(field.largest(), 2.0 * field.smallest());
 }
 

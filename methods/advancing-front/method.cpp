@@ -41,7 +41,7 @@ class Mesher {
     lattice_mesh_ = marching_cubes(task_.surface, monitor_);
     if (leaves_lattice()) {
       throw Skipped(
-          "advancing-front: the object leaves the volume, where a front has no rim to stop at; close it there");
+          "advancing-front: the surface reaches the border of the volume; this method needs a closed surface");
     }
     components_ = components_of(lattice_mesh_);
     start_and_advance();
@@ -59,7 +59,7 @@ class Mesher {
     const auto stage = monitor_.stage("fronts");
     std::size_t reached = 0;
     for (const Component& component : components_) {
-      // A component must be a few edges round, whatever the sizing says.
+      // Even a small component must be at least a few edges round.
       start_on(component, step_on(component, 0.4));
       reached += component.vertices.size();
       monitor_.progress(static_cast<double>(reached) / static_cast<double>(lattice_mesh_.vertices.size()));
@@ -72,13 +72,13 @@ class Mesher {
     });
   }
 
-  /// The step, but at most this share of the component's diagonal.
+  /// The step, limited to this share of the component's diagonal.
   Step step_on(const Component& component, double share) const {
     return [this, most = share * component.diagonal()](const Eigen::Vector3d& x) { return std::min(step_(x), most); };
   }
 
-  /// One front from a point that is likely to be good, then one wherever the component, which the lattice may have
-  /// joined from several, is still bare.
+  /// Starts a front at a promising point, then others wherever the component is still bare: the lattice may have joined
+  /// several components of F = c to one.
   void start_on(const Component& component, const Step& step) {
     for (const Eigen::Vector3d& point : starting_points(lattice_mesh_, component, step, task_.seed)) {
       if (is_bare(point, step) && start_at(point, step)) break;
@@ -92,7 +92,7 @@ class Mesher {
         ++bare_places_;
         continue;
       }
-      // On a bump that a front cut across this leads nowhere.
+      // A front on a bump that an earlier front has cut across neither closes nor merges: undo it.
       if (counts_.merged == before.merged && front_.is_open_from(vertices)) {
         front_.take_back(triangles, vertices);
         counts_ = before;
@@ -119,7 +119,8 @@ class Mesher {
   void close() {
     if (bare_places_ > 0) {
       monitor_.note(fmt::format(
-          "advancing-front: at {} of the lattice's vertices nothing is meshed and no triangle fits", bare_places_));
+          "advancing-front: at {} vertices of the lattice's mesh the surface is not meshed and no triangle fits",
+          bare_places_));
     }
     monitor_.set("advancing-front/bare places", static_cast<double>(bare_places_));
     const auto stage = monitor_.stage("failsafe");
@@ -141,7 +142,7 @@ class Mesher {
     for (const auto& [a, b, c] : front.triangles()) result_.triangles.push_back({first + a, first + b, first + c});
   }
 
-  /// A component beside a larger one may look meshed to the fronts on that one, and be in their way.
+  /// Meshes the components that no front has reached: close to a larger component, a small one looks meshed already.
   void mesh_what_was_missed() {
     const auto stage = monitor_.stage("missed");
     std::vector<char> used(vertices_.size(), 0);
@@ -166,7 +167,8 @@ class Mesher {
     monitor_.set("advancing-front/lost components", static_cast<double>(lost));
   }
 
-  /// By a front of its own, which no other is in the way of; kept if it closes without leaving the component's box.
+  /// Meshes a component by a front that ignores all others. The result is kept if the front closes within the
+  /// component's box.
   bool mesh_alone(const Component& component) {
     Eigen::AlignedBox3d bounds = component.box;
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(task_.surface.voxel());
@@ -205,9 +207,7 @@ class Mesher {
 
 std::shared_ptr<const SizingField> own_guidance(const MeshingTask& task, Monitor& monitor) {
   if (task.sizing.uniform()) {
-    monitor.note(
-        "advancing-front: its own guidance follows curvature alone; the edge length that was asked for has no "
-        "effect");
+    monitor.note("advancing-front: its own guidance follows curvature alone; the requested edge length has no effect");
   }
   GuidanceOptions options;
   options.rho = task.parameters.number("rho");
@@ -231,16 +231,15 @@ Method method_advancing_front() {
   Method method;
   method.name = "advancing-front";
   method.summary =
-      "Triangles grown one by one from the rim of what is meshed, their new vertices turned onto F = c "
-      "(after Schreiner, Scheidegger, Silva 2006; fronts are joined with more care for the angles that remain)";
+      "Triangles grown one by one from a moving front, their new vertices rotated to F = c (after Schreiner, "
+      "Scheidegger, "
+      "Silva 2006; unlike there, fronts are connected only where the remaining angles allow it)";
   method.revision = 2;
   method.parameters = {
       {"guidance",
        std::string("shared"),
        "",
-       "where the sizing comes from: 'shared' is the field h that was asked for, 'own' the method's guidance field, "
-       "from "
-       "curvature alone",
+       "sizing: 'shared' is the requested field h, 'own' the method's guidance field, from curvature alone",
        -infinity,
        infinity,
        {"shared", "own"},
@@ -248,7 +247,7 @@ Method method_advancing_front() {
       {"contraction",
        1.5,
        "",
-       "g: adaptive spacing is h/g, as the particles have it, so that methods compare at equal sizing",
+       "g: adaptive sizing aims at an edge length of h/g, as particles does, so that methods compare at equal sizing",
        1.0,
        4.0,
        {},
@@ -256,7 +255,7 @@ Method method_advancing_front() {
       {"rho",
        0.19634954084936207,
        "radians",
-       "own guidance: how far an edge turns along the tightest circle",
+       "own guidance: angle that an edge takes of the surface's tightest circle",
        0.01,
        1.5,
        {},
@@ -264,7 +263,7 @@ Method method_advancing_front() {
       {"eta",
        0.8,
        "",
-       "own guidance: steps grow with slope 1 - eta from eta times the ideal length",
+       "own guidance: steps start at eta times the ideal length and grow with slope 1 - eta",
        0.1,
        0.99,
        {},

@@ -1,4 +1,4 @@
-// Where fronts start: once on every component of the surface, as marching cubes shows them.
+// Where fronts start: on every component of the marching cubes mesh.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,19 +23,19 @@ struct Component {
 /// The components of a mesh, largest first.
 std::vector<Component> components_of(const TriangleMesh& mesh);
 
-/// Those of the components on which no vertex of the others stands: a vertex stands on the component of the lattice
-/// vertex nearest to it, unless their normals are opposed (another sheet, close by).
+/// The components on which none of `vertices` lies. A vertex lies on the component of the nearest lattice vertex,
+/// unless their normals are opposed: then that lattice vertex is on another sheet.
 std::vector<Component> components_without(const Isosurface& surface, const TriangleMesh& mesh,
                                           const std::vector<Component>& components,
                                           const std::vector<Vertex>& vertices);
 
-/// Places to start from on a component, in the order to try them: a few of its vertices drawn at random, those with the
-/// longest step first, because growing smaller is safer than growing larger.
+/// Points of a component to start from, in the order to try them: 32 of its vertices drawn at random, longest step
+/// first, because a front that advances towards smaller steps fails less often.
 std::vector<Eigen::Vector3d> starting_points(const TriangleMesh& mesh, const Component& component, const Step& step,
                                              std::uint64_t seed);
 
-/// A triangle with sides of about the step round a point near the surface, turned at random, counter-clockwise from
-/// outside. std::nullopt where the surface bends too much for it.
+/// A triangle on the surface round the projection of `near`, with sides of about one step, at a random angle,
+/// counter-clockwise from outside. std::nullopt if the surface bends too much for such a triangle.
 std::optional<std::array<Vertex, 3>> seed_triangle(const Isosurface& surface, const Step& step,
                                                    const Eigen::Vector3d& near, std::uint64_t seed);
 

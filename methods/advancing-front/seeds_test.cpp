@@ -25,8 +25,8 @@ TEST(AdvancingFrontSeeds, ComponentsAreLargestFirstAndHaveEveryVertexOnce) {
   EXPECT_NEAR(components[1].diagonal(), std::hypot(2.0, 1.0), 1e-12);
 }
 
-// Two balls a little apart: vertices on the one do not stand on the other, though they are near to it where the two
-// face each other.
+// Two balls a small distance apart: vertices of one ball do not count as vertices of the other, even where the two are
+// close.
 TEST(AdvancingFrontSeeds, ComponentsWithoutAVertexAreFound) {
   const Isosurface surface(sample_phantom(phantom("near-spheres"), 96), 0.0);
   Monitor monitor;
@@ -42,7 +42,7 @@ TEST(AdvancingFrontSeeds, ComponentsWithoutAVertexAreFound) {
   const auto bare = components_without(surface, mesh, components, on_first);
   ASSERT_EQ(bare.size(), 1U);
   EXPECT_EQ(bare[0].vertices, components[1].vertices);
-  // A vertex pushed across the gap is nearest to the other ball but faces it.
+  // A vertex moved across the gap is nearest to the other ball, but its normal points towards it.
   Vertex facing = on_first.front();
   facing.x = mesh.vertices[components[1].vertices.front()];
   facing.normal = -make_vertex(surface, step, facing.x).normal;

@@ -7,7 +7,7 @@ namespace isobench::advancing_front {
 
 namespace {
 
-/// Never 0, which marks a free cell.
+/// The key of a cell; never 0, because 0 marks a free slot.
 std::uint64_t key_of(int level, std::int64_t i, std::int64_t j, std::int64_t k) {
   constexpr std::int64_t half = 1 << 18;
   constexpr std::uint64_t mask = (1U << 19) - 1;
@@ -40,7 +40,7 @@ std::size_t SpatialHash::slot_for(std::uint64_t key) {
 }
 
 void SpatialHash::rehash() {
-  // Cells that have emptied are dropped here; a front passes over most of them only once.
+  // Drop the empty cells here: a front passes most cells only once.
   std::vector<Cell> old(cells_.size());
   old.swap(cells_);
   const auto full =

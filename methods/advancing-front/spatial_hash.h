@@ -1,5 +1,5 @@
-// Where edges or points are: a hash of cells in several resolutions, so that what is long and what is short both lie in
-// cells of about the size of their neighbourhood.
+// Finds edges or points by position: a hash of cells at several resolutions, so that long and short items both lie in
+// cells of about their own size.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,20 +10,20 @@
 
 namespace isobench::advancing_front {
 
-/// Items are named by small numbers, each at most once; an item is kept as a ball.
+/// Items are balls, named by small non-negative numbers.
 class SpatialHash {
  public:
-  /// `finest` (mm) is the size of the smallest cells; items may be smaller. Coordinates up to 2¹⁸ cells either way.
+  /// `finest` (mm) is the size of the smallest cells; items may be smaller. Coordinates may be up to ±2¹⁸ such cells.
   explicit SpatialHash(double finest);
 
-  /// The item must not be in the hash. It goes into cells of four times its radius or twice the `step` (mm) there,
-  /// whichever is larger, so that small items lie with their neighbours.
+  /// Precondition: the item is not in the hash. The item is kept in a cell of at least four times its radius and at
+  /// least twice the local `step` (mm), so that items shorter than the step are found with their neighbours.
   void insert(int item, const Eigen::Vector3d& centre, double radius, double step);
   /// Does nothing if the item is not in the hash.
   void erase(int item);
 
-  /// Appends every item that may reach into the ball, and a few that do not; items where both the step and their
-  /// diameter are below `least` (mm) may be left out. The order depends only on what was inserted and erased, and when.
+  /// Appends every item that may reach into the ball, and some that do not. Items whose step and diameter are both
+  /// below `least` (mm) may be missing. The order depends only on the sequence of insertions and erasures.
   void near(const Eigen::Vector3d& centre, double radius, double least, std::vector<int>& found) const;
 
  private:

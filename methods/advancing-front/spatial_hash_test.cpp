@@ -33,7 +33,7 @@ TEST(SpatialHash, FindsEverythingThatReachesIntoABallWhileItemsComeAndGo) {
       balls[gone].in = false;
     }
   }
-  hash.erase(123456);  // was never there
+  hash.erase(123456);  // was never inserted
   for (int query = 0; query < 200; ++query) {
     const Eigen::Vector3d centre = point();
     const double radius = 2.0 * unit(random);

@@ -11,12 +11,14 @@ namespace isobench {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-const double cocone_sine = std::cos(3.0 * std::numbers::pi / 8.0);  // of the angle to the tangent plane
-constexpr double least_height = 1.2;                                // of a flat point's cell, in units of its width
-constexpr double least_agreement = 0.5;                             // cosine between normals of flat neighbours
+const double cocone_sine =
+    std::cos(3.0 * std::numbers::pi / 8.0);  // sine of the cocone's angle to the tangent plane, π/8
+constexpr double least_height = 1.2;         // of the Voronoi cell of a flat point, times its width
+constexpr double least_agreement = 0.5;      // cosine between the normals of flat neighbours
 constexpr double least_wedge = std::numbers::pi / 3.0;
 
-/// The Voronoi edge that a facet of a finite cell is dual to: from the cell's centre to `far`, or endless along `far`.
+/// The Voronoi edge dual to a facet of a finite cell: from the centre of the cell to `far`; if `ray`, endless in
+/// direction `far`.
 struct DualEdge {
   Eigen::Vector3d from;
   Eigen::Vector3d far;
@@ -31,7 +33,7 @@ DualEdge dual_of(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>&
   return {cells.centres[cell], (points[b] - points[a]).cross(points[c] - points[a]).normalized(), true};
 }
 
-/// Calls visit(cell, facet) for every finite facet at a point once, from a finite cell.
+/// Calls visit(cell, facet) once for every finite facet at a point, from a finite cell.
 template <typename Visit>
 void for_each_facet_at(const DelaunayCells& cells, std::uint32_t point, Visit visit) {
   for (const std::uint32_t cell : cells.around[point]) {
@@ -44,15 +46,15 @@ void for_each_facet_at(const DelaunayCells& cells, std::uint32_t point, Visit vi
   }
 }
 
-/// Whether some of a dual edge is seen from x within the cocone around the plane normal to n: the cosines at its ends
-/// span those between.
+/// Whether part of a dual edge, seen from x, is within the cocone around the plane normal to n. The cosines along the
+/// edge are between those at its ends.
 bool passes_cocone(const DualEdge& edge, const Eigen::Vector3d& x, const Eigen::Vector3d& n) {
   const double first = (edge.from - x).normalized().dot(n);
   const double second = edge.ray ? edge.far.dot(n) : (edge.far - x).normalized().dot(n);
   return std::min(first, second) <= cocone_sine && std::max(first, second) >= -cocone_sine;
 }
 
-/// Height of a point's Voronoi cell on both sides and its width in between.
+/// Whether the Voronoi cell of a point is high enough on both sides for its width.
 bool is_high(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& points, std::uint32_t point,
              const Eigen::Vector3d& n) {
   const Eigen::Vector3d& x = points[point];
@@ -73,7 +75,7 @@ bool is_high(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& poi
       reach(slope, endless);
     else
       reach(start + slope, (edge.far - x).norm());
-    const double t = -start / slope;  // where it meets the plane
+    const double t = -start / slope;  // where the edge meets the tangent plane
     if (std::isfinite(t) && t >= 0.0 && (edge.ray || t <= 1.0)) {
       width = std::max(width, (edge.from + t * along - x).norm());
     }
@@ -104,7 +106,7 @@ bool is_candidate(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>
   });
 }
 
-/// Takes facets away at sharp edges until there is none.
+/// Removes facets at sharp edges until no edge is sharp.
 class Pruning {
  public:
   Pruning(const std::vector<Eigen::Vector3d>& points, const std::vector<char>& flat,
@@ -180,9 +182,9 @@ class Pruning {
   const std::vector<char>& flat_;
   const std::vector<Cocone::Facet>& facets_;
   std::vector<char> alive_;
-  std::vector<std::array<std::uint32_t, 3>> edge_of_;  // a facet's edges
-  std::vector<Side> sides_;                            // by edge
-  std::vector<std::uint32_t> first_;                   // an edge's first side
+  std::vector<std::array<std::uint32_t, 3>> edge_of_;  // edges of each facet
+  std::vector<Side> sides_;                            // sorted by edge
+  std::vector<std::uint32_t> first_;                   // first side of each edge
 };
 
 }  // namespace
@@ -194,7 +196,7 @@ std::vector<Eigen::Vector3d> pole_normals(const DelaunayCells& cells, const std:
     Eigen::Vector3d pole = Eigen::Vector3d::Zero();
     for (const std::uint32_t cell : cells.around[p]) {
       if (cells.is_infinite(cell)) {
-        // Seen from outside, the hull's facet turns the other way than from the infinite cell.
+        // An infinite cell sees the hull's facet with the opposite orientation.
         const auto [a, b, c] = cells.facet(cell, cells.index_of(cell, DelaunayCells::infinite));
         hull -= (points[b] - points[a]).cross(points[c] - points[a]).normalized();
       } else if ((cells.centres[cell] - points[p]).squaredNorm() > pole.squaredNorm()) {

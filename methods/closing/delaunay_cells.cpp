@@ -73,7 +73,7 @@ std::size_t DelaunayCells::mirror(std::size_t cell, std::size_t facet) const {
 }
 
 std::array<std::uint32_t, 3> DelaunayCells::facet(std::size_t cell, std::size_t facet) const {
-  // Cells are positively oriented: vertex 3 sees 0, 1, 2 counter-clockwise.
+  // Cells are positively oriented: vertex 3 sees vertices 0, 1 and 2 counter-clockwise.
   static constexpr std::array<std::array<std::size_t, 3>, 4> kOrder{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   const auto& v = vertices[cell];
   const auto& order = kOrder[facet];

@@ -38,9 +38,10 @@ Eigen::Vector3d circumcentre(const Cell& cell) {
                                      cell->vertex(3)->point()));
 }
 
-// CGAL's cells come in an order that depends on addresses once a point has been removed: results must not.
-const Triangle& corners_of(const Triangle& triangle) { return triangle; }
-const Triangle& corners_of(const LabelledDelaunay::Facet& facet) { return facet.corners; }
+// Once a point has been removed, the order of CGAL's cells depends on addresses. Sorting makes the results
+// deterministic.
+Triangle corners_of(const Triangle& triangle) { return triangle; }
+Triangle corners_of(const LabelledDelaunay::Facet& facet) { return facet.corners; }
 
 template <class Item>
 void sort_by_corners(std::vector<Item>& items) {
@@ -48,7 +49,8 @@ void sort_by_corners(std::vector<Item>& items) {
                      [](const Item& a, const Item& b) { return corners_of(a) < corners_of(b); });
 }
 
-// A flat cell's circumcentre may lie anywhere or be no number: not within the volume means outside.
+// The circumcentre of a flat cell may be anywhere, or not a number. A cell whose circumcentre is not within the volume
+// is outside.
 bool within(const Eigen::Vector3d& x, const Isosurface& surface) {
   return (x.array() >= 0.0).all() && (x.array() <= surface.extent().array()).all();
 }
@@ -78,16 +80,16 @@ struct LabelledDelaunay::Triangulation {
     delaunay.insert(input.begin(), input.end());
   }
 
-  // Where the dual edge of a facet ends beyond the hull, far enough out to have left the object.
+  // The end of the dual edge of a facet of the hull, far enough out to be outside the object.
   Eigen::Vector3d beyond_hull(const Triangle& corners, const Eigen::Vector3d& from) const {
     const Eigen::Vector3d a = points[corners[0]];
     const Eigen::Vector3d normal = (points[corners[1]] - a).cross(points[corners[2]] - a).normalized();
     return from + (2.0 * (from - a).norm() + surface.voxel()) * normal;
   }
 
-  // Of the facet opposite vertex i of a cell inside.
+  // The corners of the facet opposite vertex i of an inside cell.
   Triangle corners(const Cell& cell, int i) const {
-    // vertex_triple_index orders them counter-clockwise seen from vertex i, which is inside.
+    // vertex_triple_index gives counter-clockwise order seen from vertex i, which is inside.
     const auto corner = [&](int n) { return cell->vertex(Delaunay::vertex_triple_index(i, n))->info(); };
     Triangle result{corner(0), corner(2), corner(1)};
     std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
@@ -110,16 +112,17 @@ struct LabelledDelaunay::Triangulation {
     }
   }
 
-  // Before those that are gone are taken away.
-  void insert(const std::vector<Eigen::Vector3d>& added, const std::vector<std::uint32_t>& gone);
-  // Closes ranks; says of each point that stays whether one went beside it, so that its cells changed.
-  std::vector<char> remove(const std::vector<std::uint32_t>& gone);
+  // To be called before remove().
+  void insert(const std::vector<Eigen::Vector3d>& added, const std::vector<std::uint32_t>& removed);
+  // Renumbers the points that stay. Returns for each of them whether a removed point was beside it, which changed its
+  // cells.
+  std::vector<char> remove(const std::vector<std::uint32_t>& removed);
   void label(const std::vector<Cell>& cells);
 
   const Isosurface& surface;
   Delaunay delaunay;
   std::vector<Eigen::Vector3d> points;
-  std::vector<Delaunay::Vertex_handle> vertices;  // by index of their point
+  std::vector<Delaunay::Vertex_handle> vertices;  // of each point
 };
 
 LabelledDelaunay::LabelledDelaunay(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface,
@@ -173,10 +176,10 @@ std::vector<LabelledDelaunay::Facet> LabelledDelaunay::facets_at(const std::vect
       for (int i = 0; i < 4; ++i) {
         if (cell->neighbor(i)->info() || cell->vertex(i)->info() == point) continue;
         const Triangle corners = t.corners(cell, i);
-        // Each facet once: at the first of its corners that is asked for.
-        const bool later = std::any_of(corners.begin(), corners.end(),
-                                       [&](std::uint32_t corner) { return corner < point && asked[corner] != 0; });
-        if (!later) result.push_back(t.facet(cell, i, corners));
+        // Takes each facet once, at its asked corner with the lowest index.
+        const bool is_taken = std::any_of(corners.begin(), corners.end(),
+                                          [&](std::uint32_t corner) { return corner < point && asked[corner] != 0; });
+        if (!is_taken) result.push_back(t.facet(cell, i, corners));
       }
     }
   }
@@ -185,15 +188,15 @@ std::vector<LabelledDelaunay::Facet> LabelledDelaunay::facets_at(const std::vect
 }
 
 void LabelledDelaunay::Triangulation::insert(const std::vector<Eigen::Vector3d>& added,
-                                             const std::vector<std::uint32_t>& gone) {
+                                             const std::vector<std::uint32_t>& removed) {
   for (const Eigen::Vector3d& x : added) {
     const std::size_t before = delaunay.number_of_vertices();
-    // What is added together mostly stands together.
+    // Points that are added together are mostly close to each other, so the search starts at the last one.
     const auto vertex = delaunay.insert(Kernel3::Point_3(x[0], x[1], x[2]), vertices.back());
-    // Where one that is to go stands, that one's vertex becomes this one's.
+    // If the point coincides with one to be removed, it takes over that point's vertex.
     if (delaunay.number_of_vertices() == before) {
-      if (!std::binary_search(gone.begin(), gone.end(), vertex->info()))
-        throw Error("a point was to be added to a triangulation where another one stands already");
+      if (!std::binary_search(removed.begin(), removed.end(), vertex->info()))
+        throw Error("a point that is added to the triangulation coincides with one of its points");
       vertices[vertex->info()] = Delaunay::Vertex_handle();
     }
     vertex->info() = static_cast<std::uint32_t>(points.size());
@@ -202,10 +205,10 @@ void LabelledDelaunay::Triangulation::insert(const std::vector<Eigen::Vector3d>&
   }
 }
 
-std::vector<char> LabelledDelaunay::Triangulation::remove(const std::vector<std::uint32_t>& gone) {
+std::vector<char> LabelledDelaunay::Triangulation::remove(const std::vector<std::uint32_t>& removed) {
   std::vector<char> beside(points.size(), 0);
   std::vector<Cell> fresh;
-  for (const std::uint32_t point : gone) {
+  for (const std::uint32_t point : removed) {
     if (vertices[point] == Delaunay::Vertex_handle()) continue;
     fresh.clear();
     delaunay.remove_and_give_new_cells(vertices[point], std::back_inserter(fresh));
@@ -239,23 +242,23 @@ void LabelledDelaunay::Triangulation::label(const std::vector<Cell>& cells) {
   });
 }
 
-std::vector<std::uint32_t> LabelledDelaunay::replace(const std::vector<std::uint32_t>& gone,
+std::vector<std::uint32_t> LabelledDelaunay::replace(const std::vector<std::uint32_t>& removed,
                                                      const std::vector<Eigen::Vector3d>& points) {
   Triangulation& t = *triangulation_;
-  const std::size_t kept = t.points.size() - gone.size();
-  // Those that come first: where nothing stands any more, each that goes is dear, with cells from sheet to sheet.
-  t.insert(points, gone);
-  const std::vector<char> beside = t.remove(gone);
+  const std::size_t kept = t.points.size() - removed.size();
+  // Insert before removing: otherwise long cells bridge the hole from sheet to sheet, and each removal is slow.
+  t.insert(points, removed);
+  const std::vector<char> beside = t.remove(removed);
 
-  // A cell that is new has a new corner or, where points went, only corners beside them.
+  // A new cell has a new corner, or all its corners are new or beside removed points.
   const auto is_new = [kept](std::uint32_t corner) { return corner >= kept; };
-  const auto is_near = [&](std::uint32_t corner) { return is_new(corner) || beside[corner] != 0; };
+  const auto is_affected = [&](std::uint32_t corner) { return is_new(corner) || beside[corner] != 0; };
   std::vector<char> changed = beside;
   std::vector<Cell> fresh;
   std::vector<Cell> around;
   std::vector<std::uint32_t> corners;
   for (std::uint32_t point = 0; point < changed.size(); ++point) {
-    if (!is_near(point)) continue;
+    if (!is_affected(point)) continue;
     around.clear();
     t.delaunay.incident_cells(t.vertices[point], std::back_inserter(around));
     for (const Cell& cell : around) {
@@ -263,10 +266,11 @@ std::vector<std::uint32_t> LabelledDelaunay::replace(const std::vector<std::uint
       for (int i = 0; i < 4; ++i) {
         if (!t.delaunay.is_infinite(cell->vertex(i))) corners.push_back(cell->vertex(i)->info());
       }
-      // Each once: at the first corner that leads here.
-      if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return c < point && is_near(c); }))
+      // Takes each cell once, at its affected corner with the lowest index.
+      if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return c < point && is_affected(c); }))
         continue;
-      if (!std::any_of(corners.begin(), corners.end(), is_new) && !std::all_of(corners.begin(), corners.end(), is_near))
+      if (!std::any_of(corners.begin(), corners.end(), is_new) &&
+          !std::all_of(corners.begin(), corners.end(), is_affected))
         continue;
       for (const std::uint32_t corner : corners) changed[corner] = 1;
       if (corners.size() == 4)

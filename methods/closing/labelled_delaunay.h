@@ -1,8 +1,8 @@
-// Closing points on F = c to a surface: Delaunay-triangulate them, label each cell by the sign of f at its
-// circumcentre, and output the facets between unlike cells. Closed, oriented and free of self-intersection by
-// construction; equal to the restricted Delaunay triangulation (Amenta, Bern 1999; Boissonnat, Oudot 2005) where each
-// dual edge crosses the surface once. What can remain are pinches: edges with four facets, vertices with two fans.
-// More points cure them, so the triangulation is kept and points of it can be exchanged.
+// A closed surface through points on F = c: the points are Delaunay-triangulated, each cell is labelled inside or
+// outside by the sign of f at its circumcentre, and the facets between cells with different labels are the surface. It
+// is closed, oriented and free of self-intersections by construction. Where each dual edge crosses F = c once, it
+// equals the restricted Delaunay triangulation (Amenta, Bern 1999; Boissonnat, Oudot 2005). It can have pinches: edges
+// with four facets and vertices with two fans. More points remove them, so points of a triangulation can be exchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,18 +18,18 @@ namespace isobench {
 
 class LabelledDelaunay {
  public:
-  /// A triangle of the surface and its dual edge, from the circumcentre of the cell inside to that of the cell outside
-  /// (where that is beyond the convex hull: to a point well outside, across the facet).
+  /// A triangle of the surface and its dual edge, from the circumcentre of the inside cell to that of the outside cell.
+  /// At the convex hull, the dual edge ends at a point well outside across the facet.
   struct Facet {
-    Triangle corners;  ///< counter-clockwise seen from outside, indices of points, the least first
+    Triangle corners;  ///< indices of points, counter-clockwise seen from outside, least first
     Eigen::Vector3d inside;
     Eigen::Vector3d outside;
   };
 
-  /// `points` in the lattice frame, mm, distinct. A circumcentre outside the volume counts as outside the object. Keeps
-  /// a reference to the surface. Throws Error if the points span no tetrahedron. Cost: one Delaunay triangulation on
-  /// one thread (about 10 µs a point) plus one evaluation of f a cell, on all. The same points in the same order, added
-  /// in the same steps, give the same facets.
+  /// `points` are distinct, in the lattice frame, mm. A circumcentre outside the volume counts as outside the object.
+  /// Keeps a reference to the surface. Throws Error if the points span no tetrahedron. The same points in the same
+  /// order, added in the same steps, give the same facets. Cost: one Delaunay triangulation on one thread, about 10 µs
+  /// a point, and one evaluation of f a cell on all threads.
   LabelledDelaunay(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, Monitor& monitor);
   ~LabelledDelaunay();
   LabelledDelaunay(LabelledDelaunay&&) noexcept;
@@ -37,28 +37,32 @@ class LabelledDelaunay {
   LabelledDelaunay(const LabelledDelaunay&) = delete;
   LabelledDelaunay& operator=(const LabelledDelaunay&) = delete;
 
-  /// By ascending corners, as all below. Time linear in the cells.
+  /// All facets of the surface, sorted by corners, as are the lists below. Time is linear in the number of cells.
   std::vector<Facet> facets() const;
-  /// Those with a corner among `points`, which are ascending. Time linear in these points, but for a byte of all.
+  /// The facets with a corner among `points`, which are ascending. Time is linear in the number of these points, plus
+  /// one byte to clear for every point.
   std::vector<Facet> facets_at(const std::vector<std::uint32_t>& points) const;
   std::vector<Triangle> triangles() const;
 
-  /// Takes away the points `gone`, ascending, and adds `points`, distinct from all that stay: those that stay close
-  /// ranks, and the new ones follow them. Only cells that come by this, and others at their corners, are labelled
-  /// (anew, if by flip_label_at). Returns the points, as now numbered, whose cells have changed, ascending: facets of
-  /// which no corner is among them are as they were. Throws Error if the points no longer span a tetrahedron,
-  /// and where one comes onto one that stays; the triangulation is of no use then. Cost: some 50 µs a point that goes,
-  /// 20 one that comes, on one thread.
-  std::vector<std::uint32_t> replace(const std::vector<std::uint32_t>& gone,
+  /// Removes the points with the indices `removed`, ascending, and adds `points`, which are distinct from all that
+  /// stay. The points that stay keep their order; the new points come after them. Only new cells, and some others at
+  /// the same corners, are labelled again; a label changed by flip_label_at may be lost there.
+  ///
+  /// Returns the new indices, ascending, of the points whose cells have changed. A facet without such a corner is as it
+  /// was. Throws Error if the points no longer span a tetrahedron, or if a new point coincides with one that stays; the
+  /// triangulation must not be used after that. Cost: about 50 µs a removed point and 20 µs an added one, on one
+  /// thread.
+  std::vector<std::uint32_t> replace(const std::vector<std::uint32_t>& removed,
                                      const std::vector<Eigen::Vector3d>& points);
-  /// Adds points only.
+  /// Adds points.
   std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points) { return replace({}, points); }
 
-  /// The point nearest to x, sought from one that is near.
+  /// The point nearest to x. The search starts at point `near`.
   std::uint32_t nearest(const Eigen::Vector3d& x, std::uint32_t near) const;
 
-  /// Changes the label of the finite cell that has the least |f|/|∇f| at its circumcentre among those at a point: the
-  /// last resort where no point can be added. False where the point has none within half a voxel of the surface.
+  /// Changes the label of one finite cell at a point: the one whose circumcentre is nearest to the surface by |f|/|∇f|.
+  /// This is the last resort where no point can be added. Returns false, and changes nothing, if no such circumcentre
+  /// is within half a voxel of the surface.
   bool flip_label_at(std::uint32_t point);
 
  private:

@@ -15,7 +15,7 @@
 namespace isobench {
 namespace {
 
-/// A dense sample of a phantom closed again.
+/// The mesh that closes a dense sample of a phantom.
 TriangleMesh closed(const std::string& name, int nodes) {
   const Isosurface surface(sample_phantom(phantom(name), nodes), 0.0);
   Monitor monitor;
@@ -35,7 +35,7 @@ TEST(LabelledDelaunay, ClosesADenseSampleWithTheRightTopology) {
   }
 }
 
-// A voxel's chord of a surface whose radius is some 15 voxels cuts off well under a percent of the volume.
+// The radius of the tube is about 15 voxels. Chords of one voxel cut off well under a percent of the volume.
 TEST(LabelledDelaunay, TurnsTrianglesOutwards) {
   const TriangleMesh mesh = closed("torus", 60);
   EXPECT_NEAR(mesh_facts(mesh).volume / *phantom("torus").volume, 1.0, 0.01);
@@ -52,37 +52,38 @@ TEST(LabelledDelaunay, PointsAddedLaterGiveTheSameSurface) {
   EXPECT_EQ(grown.triangles(), LabelledDelaunay(all, surface, monitor).triangles());
 }
 
-// Points on one of two spheres go and others come, in three steps; what has changed is said, and nothing else changes.
+// Removes and adds points on one of two spheres, in three steps. The mesh must be that of a new triangulation, and
+// facets away from the changed points must be as before.
 TEST(LabelledDelaunay, PointsExchangedGiveTheSameSurface) {
   const Isosurface surface(sample_phantom(phantom("two-spheres"), 48), 0.0);
   Monitor monitor;
   std::vector<Eigen::Vector3d> points = marching_cubes(surface, monitor).vertices;
   LabelledDelaunay exchanged(points, surface, monitor);
   for (std::uint32_t step = 2; step < 5; ++step) {
-    std::vector<std::uint32_t> gone;
+    std::vector<std::uint32_t> removed;
     std::vector<Eigen::Vector3d> kept;
-    std::vector<Eigen::Vector3d> fresh;
+    std::vector<Eigen::Vector3d> added;
     for (std::uint32_t n = 0; n < points.size(); ++n) {
       if (points[n][0] > 0.5 * surface.extent()[0] || n / 50 % step != 1) {
         kept.push_back(points[n]);
         continue;
       }
-      gone.push_back(n);
+      removed.push_back(n);
       const Eigen::Vector3d aside = 0.2 * surface.voxel() * Eigen::Vector3d(std::sin(n), std::sin(2.0 * n), 0.7);
-      if (n % 7 == 0) fresh.push_back(points[n]);  // comes where it went
-      if (n % 3 != 0) fresh.push_back(surface.project(points[n] + aside).value());
+      if (n % 7 == 0) added.push_back(points[n]);  // at the position of a removed point
+      if (n % 3 != 0) added.push_back(surface.project(points[n] + aside).value());
     }
-    ASSERT_FALSE(gone.empty());
-    const std::vector<std::uint32_t> changed = exchanged.replace(gone, fresh);
-    EXPECT_LT(changed.size(), 0.8 * static_cast<double>(kept.size() + fresh.size()));
+    ASSERT_FALSE(removed.empty());
+    const std::vector<std::uint32_t> changed = exchanged.replace(removed, added);
+    EXPECT_LT(changed.size(), 0.8 * static_cast<double>(kept.size() + added.size()));
     EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
 
     const LabelledDelaunay before(points, surface, monitor);
     points = kept;
-    points.insert(points.end(), fresh.begin(), fresh.end());
+    points.insert(points.end(), added.begin(), added.end());
     const LabelledDelaunay after(points, surface, monitor);
     EXPECT_EQ(exchanged.triangles(), after.triangles());
-    // By where their corners are, the facets away from what has changed were there before.
+    // The facets without a changed corner are the same before and after, with corners renumbered.
     const auto away = [&changed](const LabelledDelaunay& delaunay, const std::vector<std::uint32_t>& now) {
       std::vector<Triangle> result;
       for (Triangle t : delaunay.triangles()) {
@@ -98,8 +99,8 @@ TEST(LabelledDelaunay, PointsExchangedGiveTheSameSurface) {
     std::vector<std::uint32_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), 0U);
     std::vector<std::uint32_t> now;
-    for (std::uint32_t n = 0, next = 0; n < kept.size() + gone.size(); ++n)
-      now.push_back(std::binary_search(gone.begin(), gone.end(), n) ? UINT32_MAX : next++);
+    for (std::uint32_t n = 0, next = 0; n < kept.size() + removed.size(); ++n)
+      now.push_back(std::binary_search(removed.begin(), removed.end(), n) ? UINT32_MAX : next++);
     EXPECT_EQ(away(before, now), away(exchanged, numbers));
     EXPECT_GT(away(before, now).size(), before.triangles().size() / 5);
   }
@@ -167,7 +168,7 @@ TEST(LabelledDelaunay, DualEdgesCrossTheSurfaceNearTheirFacets) {
         (points[facet.corners[0]] + points[facet.corners[1]] + points[facet.corners[2]]) / 3.0;
     const Eigen::Vector3d along = (facet.outside - facet.inside).normalized();
     EXPECT_GT(along.dot(outward_normal(surface.value_gradient(centre).gradient)), 0.9);
-    // Every point of the dual edge is as far from all three corners.
+    // Every point of the dual edge has the same distance to the three corners.
     EXPECT_NEAR((facet.outside - points[facet.corners[0]]).norm(), (facet.outside - points[facet.corners[1]]).norm(),
                 1e-6 * (facet.outside - points[facet.corners[0]]).norm());
   }

@@ -57,7 +57,8 @@ class Walk {
     values[slot(other(side))] = value;
   }
 
-  /// The next candidate around the edge that the facet shares with facet `to` of its cell, on this side of it.
+  /// The next candidate around the edge that the facet shares with facet `to` of its cell, on the same side of the
+  /// facet.
   Side next(Side side, std::uint32_t to) const {
     while (candidate_[4 * std::size_t{side.cell} + to] == 0) {
       const std::uint32_t stays = cells_.vertices[side.cell][side.facet];
@@ -68,14 +69,14 @@ class Walk {
     return {side.cell, to};
   }
 
-  /// The candidates connected over edges to this one, each from one side.
+  /// The candidates connected to this one over edges, each from one side.
   std::vector<Side> piece_of(const Side& first, std::uint32_t number) {
     std::vector<Side> piece{first};
     mark(piece_, first, number);
     for (std::size_t n = 0; n < piece.size(); ++n) {
       for (std::uint32_t to = 0; to < 4; ++to) {
         if (to == piece[n].facet) continue;
-        // All the way round the edge.
+        // Goes once around the edge.
         const Side start = piece[n];
         for (Side at = next(start, to); slot(at) != slot(other(start));) {
           if (piece_[slot(at)] == 0) {
@@ -90,7 +91,7 @@ class Walk {
     return piece;
   }
 
-  /// Of `at`'s cell, the other facet that has the edge which `start` shares with facet `to` of its own cell.
+  /// The other facet of the cell of `at` that contains the edge shared by `start` and facet `to` of its cell.
   std::uint32_t edge_side(const Side& at, const Side& start, std::uint32_t to) const {
     std::uint32_t result = 0;
     const auto& corners = cells_.vertices[start.cell];
@@ -106,7 +107,7 @@ class Walk {
     return result;
   }
 
-  /// A facet of the piece at its lowest vertex (along x), from the side that the outside is on.
+  /// A facet of the piece at its lowest vertex (along x), seen from its outer side.
   std::optional<Side> outside_of(const std::vector<Side>& piece, std::uint32_t number) const {
     std::uint32_t lowest = DelaunayCells::infinite;
     for (const Side& side : piece) {
@@ -114,7 +115,7 @@ class Walk {
         if (lowest == DelaunayCells::infinite || points_[v][0] < points_[lowest][0]) lowest = v;
       }
     }
-    // Flooding around the vertex from the cell below it, the first facet of the piece in the way.
+    // Spreads around the vertex from the cell below it until it reaches a facet of the piece.
     std::vector<std::uint32_t> reached{cell_below(lowest)};
     for (std::size_t n = 0; n < reached.size(); ++n) {
       for (std::uint32_t i = 0; i < 4; ++i) {
@@ -127,7 +128,7 @@ class Walk {
     return std::nullopt;
   }
 
-  /// The cell at a vertex into which the direction −x points; an infinite one if that leaves the hull.
+  /// The cell at a vertex into which the direction −x points; an infinite cell if that direction leaves the hull.
   std::uint32_t cell_below(std::uint32_t vertex) const {
     std::uint32_t best = cells_.around[vertex].front();
     double most = -1e-9;
@@ -150,8 +151,8 @@ class Walk {
     return best;
   }
 
-  /// Whether a side may be walked on; if so its flat vertices learn where outside is. Normals that all but lie in the
-  /// facet say nothing.
+  /// Whether the walk may enter a side. If so, records the outer side at its flat vertices. Normals that are nearly in
+  /// the plane of the facet do not count.
   bool turned_outwards(const Side& side) {
     const auto ends = cells_.facet(side.cell, side.facet);
     const Eigen::Vector3d out =
@@ -170,7 +171,7 @@ class Walk {
 
   void walk(const Side& start) {
     if (!turned_outwards(start)) return;
-    // In rings from the start, so that the outside of a place is known before a detour could come to its inside.
+    // Breadth first, so that the outer side of a vertex is known before a detour can reach its inner side.
     std::vector<Side> open{start};
     walked_[slot(start)] = 1;
     for (std::size_t n = 0; n < open.size(); ++n) {
@@ -179,7 +180,7 @@ class Walk {
       for (std::uint32_t to = 0; to < 4; ++to) {
         if (to == side.facet) continue;
         const Side found = next(side, to);
-        // Round an edge that only this facet has, one would come to its other side.
+        // At an edge with a single facet, the next candidate is the other side of the same facet.
         if (walked_[slot(found)] != 0 || slot(found) == slot(other(side)) || !turned_outwards(found)) continue;
         walked_[slot(found)] = 1;
         open.push_back(found);
@@ -191,10 +192,11 @@ class Walk {
   const std::vector<Eigen::Vector3d>& points_;
   const std::vector<Eigen::Vector3d>& normals_;
   const Cocone& cocone_;
-  std::vector<signed char> turn_;  // of a flat vertex: 1 if its normal points outside, −1 if inside, 0 not yet known
+  std::vector<signed char>
+      turn_;  // of each flat vertex: 1 if its normal points outwards, −1 if inwards, 0 if not known yet
   std::vector<char> candidate_;
-  std::vector<std::uint32_t> piece_;  // of a candidate: which, from 1 on
-  std::vector<char> walked_;          // sides, each on its own
+  std::vector<std::uint32_t> piece_;  // of each candidate: the number of its piece, from 1 on
+  std::vector<char> walked_;          // sides, each by itself
   std::vector<char> kept_;
 };
 

@@ -1,4 +1,4 @@
-// Which of the cocone's facets are the surface: those that a walk along its outer side comes by.
+// Extracts a surface from the facets of a cocone: those that a walk along the outer side reaches.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,11 +8,13 @@
 
 namespace isobench {
 
-/// For each facet of each cell (4 · cell + facet, from both its sides) whether it is part of the outer manifold. In
-/// every edge-connected piece the walk begins outside its lowest vertex and, at each edge, goes on to the next facet
-/// on its own side; flat slivers that the candidates enclose stay behind. At an edge with one facet it ends. Through
-/// holes it would come to the inner side: it does not go on to a facet whose outside is where a flat vertex of it, seen
-/// before, has its inside. `normals` need not agree in direction.
+/// For each facet of each cell, at index 4 · cell + facet and from both its sides, whether it is part of the outer
+/// manifold. In every edge-connected piece, the walk starts outside the piece's lowest vertex and goes at each edge to
+/// the next facet on the same side. So it leaves out flat slivers that are enclosed by facets. It stops at edges with a
+/// single facet.
+///
+/// A walk could reach the inner side through a hole. To prevent this, the walk remembers the outer side at each flat
+/// vertex and does not enter a facet that contradicts it. The signs of `normals` are arbitrary.
 std::vector<char> outer_manifold(const DelaunayCells& cells, const std::vector<Eigen::Vector3d>& points,
                                  const std::vector<Eigen::Vector3d>& normals, const Cocone& cocone);
 

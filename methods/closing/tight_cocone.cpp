@@ -16,12 +16,12 @@ enum class Mark : char { none, outside, inside };
 
 Mark opposite(Mark mark) { return mark == Mark::outside ? Mark::inside : Mark::outside; }
 
-/// Whether the manifold's facets at a point close around it once.
+/// Whether the manifold's facets at a point form exactly one closed umbrella.
 bool has_umbrella(const DelaunayCells& cells, const std::vector<char>& manifold, std::uint32_t point) {
-  std::vector<std::array<std::uint32_t, 2>> spokes;  // the facets' other ends
+  std::vector<std::array<std::uint32_t, 2>> spokes;  // the other two vertices of each facet
   for (const std::uint32_t cell : cells.around[point]) {
     for (std::size_t i = 0; i < 4; ++i) {
-      // Each facet once, from the cell of the smaller number.
+      // Takes each facet once, from the cell with the lower index.
       if (manifold[4 * std::size_t{cell} + i] == 0 || cells.neighbours[cell][i] < cell) continue;
       const auto ends = cells.facet(cell, i);
       const auto at = std::find(ends.begin(), ends.end(), point);
@@ -31,14 +31,14 @@ bool has_umbrella(const DelaunayCells& cells, const std::vector<char>& manifold,
     }
   }
   if (spokes.size() < 3) return false;
-  // Follow the ends around; every facet must come by before the first does again.
+  // Goes from facet to facet around the point. All facets must come before the first one comes again.
   std::uint32_t end = spokes[0][1];
   std::size_t at = 0;
   for (std::size_t steps = 1; steps < spokes.size(); ++steps) {
     std::size_t next = spokes.size();
     for (std::size_t s = 0; s < spokes.size(); ++s) {
       if (s == at || (spokes[s][0] != end && spokes[s][1] != end)) continue;
-      if (next != spokes.size()) return false;  // three facets at one edge
+      if (next != spokes.size()) return false;  // three facets share an edge
       next = s;
     }
     if (next == spokes.size() || next == 0) return false;
@@ -48,13 +48,13 @@ bool has_umbrella(const DelaunayCells& cells, const std::vector<char>& manifold,
   return end == spokes[0][0];
 }
 
-/// Inside and outside of the cells, from the umbrellas of good points and what outside reaches beyond.
+/// Marks cells as inside or outside: first from the umbrellas of good points, then by spreading outside.
 class Sides {
  public:
   Sides(const DelaunayCells& cells, const std::vector<char>& manifold, const std::vector<char>& good)
       : cells_(cells), manifold_(manifold), good_(good), marks_(cells.size(), Mark::none), passed_(good.size(), 0) {}
 
-  /// From the infinite cells inwards; returns how many cells were claimed for both sides.
+  /// Spreads the marks from the infinite cells inwards. Returns the number of conflicts.
   std::size_t spread() {
     for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
       if (cells_.is_infinite(cell)) set(cell, Mark::outside);
@@ -67,7 +67,7 @@ class Sides {
     return conflicts_;
   }
 
-  /// Outside eats through transparent cells; returns how many there are.
+  /// Spreads outside through transparent cells. Returns the number of transparent cells.
   std::size_t peel(const std::vector<Eigen::Vector3d>& points) {
     std::vector<std::uint32_t> open;
     std::size_t transparent_cells = 0;
@@ -111,7 +111,8 @@ class Sides {
     }
   }
 
-  /// The umbrella of a good point parts its cells: those on the side of `from` get its mark, the others the opposite.
+  /// The umbrella of a good point separates its cells: those on the side of `from` get its mark, the others the
+  /// opposite.
   void pass(std::uint32_t point, std::uint32_t from) {
     passed_[point] = 1;
     const Mark mark = marks_[from];
@@ -134,7 +135,7 @@ class Sides {
                         [&](std::uint32_t v) { return v == DelaunayCells::infinite || good_[v] != 0; });
   }
 
-  /// The facet of the smallest circumradius.
+  /// The facet with the smallest circumradius.
   std::size_t opaque_facet(std::uint32_t cell, const std::vector<Eigen::Vector3d>& points) const {
     std::size_t smallest = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -155,8 +156,8 @@ class Sides {
   const std::vector<char>& manifold_;
   const std::vector<char>& good_;
   std::vector<Mark> marks_;
-  std::vector<char> passed_;          // points whose umbrella has been looked at
-  std::vector<std::uint32_t> queue_;  // cells in the order they were marked
+  std::vector<char> passed_;          // points whose umbrella has been used
+  std::vector<std::uint32_t> queue_;  // marked cells, in order
   std::size_t conflicts_ = 0;
 };
 

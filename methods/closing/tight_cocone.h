@@ -1,5 +1,5 @@
-// Tight Cocone (Dey, Goswami 2003): a closed surface through points, from their Delaunay triangulation, as
-// Meyer, Kirby and Whitaker (2007, section 3.4) close their particles.
+// Tight Cocone (Dey, Goswami 2003): a closed surface through points, made of facets of their Delaunay triangulation.
+// Meyer, Kirby and Whitaker (2007, section 3.4) close their particles with it.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,25 +12,30 @@
 namespace isobench {
 
 struct TightCocone {
-  std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside, indices into the points
+  std::vector<Triangle> triangles;  ///< indices of points, counter-clockwise seen from outside
   std::size_t candidates = 0;       ///< cocone facets before pruning
-  std::size_t pruned = 0;           ///< of them
-  std::size_t undersampled = 0;     ///< points around which the surface does not look flat
-  std::size_t bad = 0;              ///< points without exactly one closed umbrella of cocone facets
-  std::size_t conflicts = 0;        ///< cells that good points claim for inside and for outside
-  std::size_t transparent = 0;      ///< finite cells with bad vertices only
+  std::size_t pruned = 0;           ///< cocone facets that pruning removed
+  std::size_t undersampled = 0;     ///< points that are not flat (cocone.h)
+  std::size_t bad = 0;              ///< points whose cocone facets do not form exactly one closed umbrella
+  std::size_t conflicts = 0;        ///< cells that good points mark both inside and outside
+  std::size_t transparent = 0;      ///< finite cells all of whose vertices are bad
 };
 
-/// Cocone facets are reduced to those that a walk along the outer side reaches; where each point has one umbrella of
-/// them, cells on either side are marked inside and outside, from the convex hull inwards; then outside eats through
-/// the cells that only bad points have, but never through the smallest facet (by circumradius) of such a cell. What
-/// bounds the rest is the surface: no edge is open, but edges may have four facets and points two umbrellas, and where
-/// sampling fails parts may be missing. Normals come from the poles (as published).
-/// `points` in mm, distinct. Throws Error if they span no tetrahedron. One thread; the same points in the same order
-/// give the same triangles. Cost: about four times that of the Delaunay triangulation.
+/// 1. The cocone facets are reduced to those that a walk along the outer side reaches (outer_walk.h). A point is good
+/// if
+///    these facets form one closed umbrella around it.
+/// 2. From the convex hull inwards, the umbrella of each good point separates its cells into inside and outside.
+/// 3. Outside spreads through the cells that have bad vertices only, but not through the facet of such a cell that has
+///    the smallest circumradius.
+/// 4. The boundary of the cells that are not outside is the surface.
+///
+/// No edge is open, but an edge may have four facets and a point two umbrellas, and parts may be missing where the
+/// sampling is too sparse. Normals come from the poles, as published. `points` are distinct, mm. Throws Error if they
+/// span no tetrahedron. One thread; the same points in the same order give the same triangles. Cost: about four times
+/// that of the Delaunay triangulation.
 TightCocone tight_cocone(const std::vector<Eigen::Vector3d>& points, Monitor& monitor);
 
-/// The same with known unit normals.
+/// The same with given unit normals.
 TightCocone tight_cocone(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,
                          Monitor& monitor);
 

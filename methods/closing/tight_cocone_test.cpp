@@ -12,14 +12,14 @@
 #include "isobench/methods/closing/labelled_delaunay.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/particles/relaxation/newton.h"
 #include "isobench/methods/particles/sampling/random.h"
-#include "isobench/methods/particles/sampling/relaxation.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench {
 namespace {
 
-/// An even sample of a phantom's surface, particles a voxel apart.
+/// An even sample of the surface of a phantom, with particles a voxel apart.
 struct Sample {
   Isosurface surface;
   particles::Particles points;
@@ -28,15 +28,15 @@ struct Sample {
     Monitor monitor;
     const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
     const SizingField field(surface.voxel());
-    const particles::Spacing spacing{field, 1.0};
-    const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
-    auto seeds = particles::eliminate_to_seeds(surface, lattice_mesh, spacing, count, 4.0, seed, monitor);
-    points = particles::make_particles(surface, spacing, std::move(seeds));
-    relax(surface, spacing, points, 200, monitor);
+    const particles::SizedSurface sized(surface, field);
+    const auto count = static_cast<std::size_t>(particles::ideal_count(sized, lattice_mesh));
+    auto seeds = particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, seed, monitor);
+    points = particles::make_particles(sized, std::move(seeds));
+    particles::relax_by_newton(sized, points, 200, monitor);
   }
 };
 
-/// Each triangle from its smallest corner on, all in order: equal surfaces give equal lists.
+/// Rotates each triangle to start at its lowest corner and sorts all, so that equal surfaces give equal lists.
 std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
   for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(triangles.begin(), triangles.end());
@@ -58,7 +58,7 @@ struct Case {
 
 class TightCoconeOf : public testing::TestWithParam<Case> {};
 
-// Samples without slivers, of which see below.
+// These samples have no slivers; see the next test.
 TEST_P(TightCoconeOf, IsTheLabelledDelaunaySurfaceOfADenseSample) {
   const Sample sample(GetParam().phantom, GetParam().nodes, GetParam().seed);
   Monitor monitor;
@@ -77,8 +77,8 @@ TEST_P(TightCoconeOf, IsTheLabelledDelaunaySurfaceOfADenseSample) {
 INSTANTIATE_TEST_SUITE_P(Phantoms, TightCoconeOf, testing::Values(Case{"ellipsoid", 40, 13}, Case{"torus", 28, 15}),
                          [](const auto& chosen) { return chosen.param.phantom; });
 
-// Four points all but on a circle span a cell so flat that the cocone takes all its facets: the walk then keeps the
-// outer two, a label may want the inner two. Whatever differs must be such a cell.
+// Four points close to a circle span a sliver, all of whose facets are cocone facets. The walk keeps the outer two
+// facets, the labels may keep the inner two. All differences must be such slivers.
 TEST(TightCocone, DiffersFromTheLabelledDelaunaySurfaceInSliversOnly) {
   for (const char* name : {"ellipsoid", "torus"}) {
     const Sample sample(name, 40, 1);
@@ -109,7 +109,7 @@ TEST(PoleNormals, AreTheSurfacesOwnWhereItIsSampledDensely) {
   const Sample sample("torus", 40, 1);
   const auto normals = pole_normals(delaunay_cells(sample.points.points), sample.points.points);
   for (std::size_t p = 0; p < normals.size(); ++p) {
-    // A pole is off by about the sampling distance over the feature size, some 1/10 here.
+    // The error of a pole is about the sampling distance over the feature size, which is about 1/10 here.
     ASSERT_GT(std::abs(normals[p].dot(sample.points.normals[p])), 0.98);
   }
 }
@@ -122,7 +122,7 @@ TEST(Cocone, FindsADenseSampleFlatEverywhere) {
   EXPECT_GE(found.facets.size(), 2 * sample.points.size() - 4);
 }
 
-// What the method exists for: a hole in the sample is closed, not left open.
+// The purpose of the method: a hole in the sample is closed.
 TEST(TightCocone, ClosesAHoleInTheSample) {
   const Sample sample("ellipsoid", 40, 1);
   const Eigen::Vector3d centre = sample.points.points.front();
@@ -141,7 +141,7 @@ TEST(TightCocone, ClosesAHoleInTheSample) {
   EXPECT_NEAR(facts.volume / whole.volume, 1.0, 0.02);
 }
 
-// Two balls, one hollow: each surface is one, and the cavity's is turned inwards.
+// Two balls, one of them hollow. Each surface is separate, and that of the cavity is oriented inwards.
 TEST(TightCocone, KeepsPartsAndCavitiesApart) {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals;

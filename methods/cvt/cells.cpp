@@ -12,20 +12,20 @@ namespace isobench::cvt {
 
 namespace {
 
-/// What a triangle adds to the cell of one of its corners; the moment is about that corner.
+/// The contribution of a triangle to the cell of one of its corners. The moment is about that corner.
 struct Share {
   double mass = 0.0;
   double energy = 0.0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
 };
 
-/// A point of a triangle's plane, from the corner whose share is summed, and the density there.
+/// A point in the plane of a triangle, relative to the corner whose share is computed, and the density there.
 struct Node {
   Eigen::Vector3d x;
   double density;
 };
 
-/// The integrals of ρ, ρ(x − p) and ρ|x − p|² over the triangle p, a, b, with ρ linear; `area` may be negative.
+/// Adds the integrals of ρ, ρ(x − p) and ρ|x − p|² over the triangle p, a, b, with ρ linear. `area` may be negative.
 void add(Share& share, double area, double at_p, const Node& a, const Node& b) {
   share.mass += area * (at_p + a.density + b.density) / 3.0;
   const double to_a = area * (at_p + 2.0 * a.density + b.density) / 12.0;
@@ -37,7 +37,7 @@ void add(Share& share, double area, double at_p, const Node& a, const Node& b) {
   share.energy += aa * a.x.squaredNorm() + bb * b.x.squaredNorm() + 2.0 * ab * a.x.dot(b.x);
 }
 
-/// The shares of a triangle's corners, and ∫√ρ.
+/// The shares of the three corners of a triangle, and ∫√ρ over it.
 struct Shares {
   std::array<Share, 3> of{};
   double root = 0.0;
@@ -52,7 +52,7 @@ Shares share_out(const std::array<Eigen::Vector3d, 3>& x, const std::array<doubl
   for (std::size_t k = 0; k < 3; ++k) {
     cotangent[k] = (x[(k + 1) % 3] - x[k]).dot(x[(k + 2) % 3] - x[k]) / double_area;
   }
-  // Barycentric coordinates of the circumcentre: sin 2α over the sum, which is 2 cot α |edge|² up to a factor.
+  // Barycentric coordinates of the circumcentre are proportional to sin 2α, hence to cot α |edge|².
   std::array<double, 3> weight{};
   for (std::size_t k = 0; k < 3; ++k) {
     weight[k] = cotangent[k] * (x[(k + 2) % 3] - x[(k + 1) % 3]).squaredNorm();
@@ -68,7 +68,7 @@ Shares share_out(const std::array<Eigen::Vector3d, 3>& x, const std::array<doubl
     const Node to_centre{centre - x[k], density_centre};
     const Node to_next{0.5 * (x[next] - x[k]), density(0.5 * (h[k] + h[next]))};
     const Node to_last{0.5 * (x[last] - x[k]), density(0.5 * (h[k] + h[last]))};
-    // The height of the circumcentre over an edge is half the edge times the cotangent of the angle opposite to it.
+    // The distance of the circumcentre from an edge is half the edge times the cotangent of the opposite angle.
     add(shares.of[k], 0.125 * (x[next] - x[k]).squaredNorm() * cotangent[last], at_p, to_next, to_centre);
     add(shares.of[k], 0.125 * (x[last] - x[k]).squaredNorm() * cotangent[next], at_p, to_centre, to_last);
     shares.root += double_area / 6.0 / (h[k] * h[k]);

@@ -1,6 +1,6 @@
-// The Voronoi cells of points on a surface, restricted to the triangles that their Delaunay triangulation has there:
-// each triangle is shared out among its corners by the perpendicular bisectors of its edges. Where a triangle is obtuse
-// its circumcentre lies beyond an edge, and the neighbour there takes as much less as this one takes more.
+// The Voronoi cells of points on a surface, restricted to a Delaunay mesh of the points: the perpendicular bisectors of
+// a triangle's edges divide the triangle among its corners. The circumcentre of an obtuse triangle is beyond an edge;
+// the part beyond counts negative in the neighbouring triangle, so areas still add up.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,20 +10,19 @@
 
 namespace isobench::cvt {
 
-/// The density that makes edges of length h: ∫ρ|x − p|² is least where cells are as wide as ρ^(−1/4) (in two
-/// dimensions; Gersho 1979), so ρ = 1/h⁴.
+/// The density ρ = 1/h⁴ that leads to edges of length h: in two dimensions, Σ ∫ρ|x − p|² is least when the width of
+/// cells is proportional to ρ^(−1/4) (Gersho 1979).
 double density(double h);
 
 struct Cells {
-  std::vector<double> mass;                ///< ∫ρ of each point's cell
-  std::vector<Eigen::Vector3d> centroids;  ///< ∫ρx/∫ρ; the point itself where it has no cell
+  std::vector<double> mass;                ///< ∫ρ over the cell of each point
+  std::vector<Eigen::Vector3d> centroids;  ///< ∫ρx/∫ρ over the cell; the point itself if it has no cell
   double energy = 0.0;                     ///< Σ ∫ρ|x − p|²
-  /// The least that so many points on so much surface could have: 5/(18√3) (∫√ρ)²/n, regular hexagons all over
-  /// (L. Fejes Tóth; Gersho 1979).
+  /// The least possible energy of n cells, all regular hexagons: 5/(18√3) (∫√ρ)²/n (L. Fejes Tóth; Gersho 1979).
   double hexagonal = 0.0;
 };
 
-/// `h` > 0 of each point, mm; linear in between. Multi-threaded; sums have a fixed order.
+/// `h` > 0 is the size at each point, mm; it is linear in between. Multi-threaded, with a fixed order of summation.
 Cells voronoi_cells(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& h,
                     const std::vector<Triangle>& triangles);
 

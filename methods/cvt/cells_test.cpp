@@ -11,7 +11,7 @@
 namespace isobench::cvt {
 namespace {
 
-/// Rows of triangles in the plane z = 0 with unit edges; sites moved by up to `jitter`, but not those of the rim.
+/// Rows of triangles with unit edges in the plane z = 0. Sites within the rim are moved by up to `jitter`.
 struct Patch {
   explicit Patch(double jitter) {
     for (std::uint32_t j = 0; j < rows; ++j) {
@@ -29,7 +29,7 @@ struct Patch {
         triangles.push_back(j % 2 == 0 ? Triangle{b, c, d} : Triangle{a, c, d});
       }
     }
-    // Flips leave the sites next to the rim alone; they are not looked at below.
+    // Sites next to the rim cannot all be flipped. The tests below leave them out.
     DelaunayMesh mesh(triangles, points.size());
     mesh.flip(points);
     triangles = mesh.triangles();
@@ -47,7 +47,7 @@ TEST(CvtCells, OfAHexagonalPackingAreRegularHexagons) {
   EXPECT_NEAR(cells.mass[Patch::middle], area, 1e-12);
   EXPECT_LT((cells.centroids[Patch::middle] - patch.points[Patch::middle]).norm(), 1e-12);
 
-  // A site that leaves the middle costs energy, and its centroid pulls it back.
+  // Moving a site away from the middle raises the energy, and the centroid moves back towards the middle.
   std::vector<Eigen::Vector3d> moved = patch.points;
   moved[Patch::middle][0] += 0.05;
   const Cells other = voronoi_cells(moved, std::vector<double>(moved.size(), 1.0), patch.triangles);
@@ -55,7 +55,7 @@ TEST(CvtCells, OfAHexagonalPackingAreRegularHexagons) {
   EXPECT_LT(other.centroids[Patch::middle][0], moved[Patch::middle][0]);
 }
 
-// One equilateral triangle is a sixth of three hexagons.
+// One equilateral triangle holds a sixth of each of three hexagons.
 TEST(CvtCells, HaveTheHexagonsEnergy) {
   const std::vector<Eigen::Vector3d> points{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, std::sqrt(0.75), 0.0}};
   for (const double h : {1.0, 2.0}) {
@@ -79,7 +79,7 @@ TEST(CvtCells, ShareOutTheWholeSurface) {
   EXPECT_NEAR(mass, area, 1e-9);
 }
 
-// A second implementation: a fine grid of samples, each given to the nearest site.
+// Second implementation: a fine grid of samples, each assigned to the nearest site.
 TEST(CvtCells, AreThoseOfTheNearestSite) {
   const Patch patch(0.3);
   const auto size_at = [](const Eigen::Vector3d& x) { return 1.0 + 0.05 * x[0]; };
@@ -102,11 +102,11 @@ TEST(CvtCells, AreThoseOfTheNearestSite) {
         moment[nearest] += step * step * density_here * at;
       }
     }
-    // Sites whose cells lie wholly among the samples.
+    // Sites whose cells are completely covered by samples.
     for (std::uint32_t j = 8; j <= 11; ++j) {
       for (std::uint32_t i = 9; i <= 12; ++i) {
         const std::size_t n = j * Patch::rows + i;
-        // 40 samples across a cell; ρ is taken as linear between sites, circumcentres and the middles of edges.
+        // There are 40 samples across a cell, and ρ is linear between sites, circumcentres and midpoints of edges.
         EXPECT_NEAR(cells.mass[n] / mass[n], 1.0, 0.015) << graded;
         EXPECT_LT((cells.centroids[n] - moment[n] / mass[n]).norm(), 0.006) << graded;
       }

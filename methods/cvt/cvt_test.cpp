@@ -1,4 +1,4 @@
-// The method as a whole, on surfaces with known answers.
+// Tests of the whole method on surfaces with known answers.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -9,20 +9,10 @@
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
-
-Isosurface surface_of(const std::string& name, int nodes) {
-  return Isosurface(sample_phantom(phantom(name), nodes), 0.0);
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
-}
 
 TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
                      std::uint64_t seed = 1) {
@@ -30,7 +20,7 @@ TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, Mo
   return m.mesh(MeshingTask(surface, request, Parameters(m.parameters), seed), monitor);
 }
 
-/// Mean and least of 2 r_in/r_circ.
+/// Mean and minimum of 2 r_in/r_circ.
 std::pair<double, double> radius_ratios(const TriangleMesh& mesh) {
   double sum = 0.0, least = 1.0;
   for (const Triangle& t : mesh.triangles) {
@@ -66,8 +56,8 @@ TEST(CvtMethod, MeshesPhantomsClosedAndWellShaped) {
   }
 }
 
-// Edges longer than the sheets are thick and apart: sites are added, and h made smaller there, so that the triangles
-// about them do not stay as bad as they come.
+// The edges are longer than the sheets are thick and apart. So the cure adds sites, and h is made smaller around them,
+// without which the triangles there would stay bad.
 TEST(CvtMethod, RefinesWhereSheetsAreNearerThanTheEdgesAreLong) {
   const Isosurface surface = surface_of("thin-sheets", 96);
   SizingRequest request;

@@ -55,7 +55,7 @@ DelaunayMesh::DelaunayMesh(std::vector<Triangle> triangles, std::size_t points)
       ++walked;
       half = across_[turn(half, 1)];
       if (half == none) break;
-      half = turn(half, 1);  // what was its edge's start is now opposite
+      half = turn(half, 1);  // the start of the edge before is now opposite
     } while (half != some[point]);
     pinched_[point] = half == none || walked != count[point] ? 1 : 0;
   }
@@ -93,7 +93,7 @@ bool DelaunayMesh::may_flip(const std::vector<Eigen::Vector3d>& points, std::uin
 }
 
 void DelaunayMesh::flip_edge(std::uint32_t half) {
-  // (c, a, b) and (d, b, a) become (c, a, d) and (d, b, c).
+  // Triangles (c, a, b) and (d, b, a) become (c, a, d) and (d, b, c).
   const std::uint32_t other = across_[half];
   const std::uint32_t beyond_ad = across_[turn(other, 1)], beyond_bc = across_[turn(half, 1)];
   const std::uint32_t c = corner(half), d = corner(other);
@@ -117,7 +117,7 @@ std::size_t DelaunayMesh::flip(const std::vector<Eigen::Vector3d>& points) {
   for (std::uint32_t half = 0; half < across_.size(); ++half) {
     if (bad[half] != 0) open.push_back(half);
   }
-  // On a curved surface a flip changes the length of an edge, and might in theory be undone for ever.
+  // On a curved surface, a flip changes edge lengths, so in theory flips might repeat without end. Hence the limit.
   const std::size_t most = across_.size();
   std::size_t flipped = 0;
   while (!open.empty() && flipped < most) {

@@ -1,5 +1,5 @@
-// The connectivity of points that move on a surface, kept Delaunay by edge flips: cheaper than a triangulation of space
-// for every move, and sheets that lie close to each other stay apart.
+// A triangle mesh whose points move on a surface and whose connectivity is kept Delaunay by edge flips. This is cheaper
+// than triangulating space after every move, and sheets that are close to each other stay apart.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +14,15 @@ namespace isobench::cvt {
 
 class DelaunayMesh {
  public:
-  /// Edges that do not have exactly two triangles of opposite turns are never flipped, nor is an edge made that ends at
-  /// a point with more than one fan: pinches and rims stay as they are.
+  /// An edge is flipped only if it has exactly two triangles with consistent orientation, and never into an edge that
+  /// ends at a point with more than one fan. So borders and pinches stay as they are.
   DelaunayMesh(std::vector<Triangle> triangles, std::size_t points);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// Flips edges until each is locally Delaunay (the two angles opposite to it sum up to at most π; Bobenko, Springborn
-  /// 2007) or could only be flipped into an edge that exists or a fold. Returns how many were flipped. Deterministic.
+  /// Flips edges until each is locally Delaunay, which means that the two angles opposite to it sum to at most π
+  /// (Bobenko, Springborn 2007). Edges whose flip would create a second edge between two points, or a fold, stay.
+  /// Returns the number of flips. Deterministic.
   std::size_t flip(const std::vector<Eigen::Vector3d>& points);
 
  private:
@@ -34,9 +35,9 @@ class DelaunayMesh {
   void link(std::uint32_t a, std::uint32_t b);
   void flip_edge(std::uint32_t half_edge);
 
-  // A half-edge 3t + k is the edge of triangle t opposite its corner k, with the triangle on its left.
+  // Half-edge 3t + k is the edge of triangle t opposite its corner k, with the triangle on its left.
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> across_;  // the other half of each half-edge; none where it must stay
+  std::vector<std::uint32_t> across_;  // the opposite half-edge; none if the edge must stay
   std::vector<char> pinched_;
 };
 

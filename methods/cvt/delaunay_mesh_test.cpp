@@ -15,10 +15,10 @@ namespace {
 TEST(CvtDelaunayMesh, FlipsTheLongDiagonal) {
   const std::vector<Eigen::Vector3d> kite{{-3.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
   DelaunayMesh mesh({{0, 1, 2}, {0, 2, 3}}, kite.size());
-  // A rim is not to be changed; a kite with a rim has corners with half a fan only.
+  // The kite's corners are at the rim and have only half a fan, so nothing is flipped.
   EXPECT_EQ(mesh.flip(kite), 0U);
 
-  // As part of a closed surface, a double pyramid over the kite's rim, it may be.
+  // In a closed surface, a double pyramid over the kite's rim, the diagonal is flipped.
   std::vector<Eigen::Vector3d> points = kite;
   points.emplace_back(0.0, 0.0, -4.0);
   DelaunayMesh closed({{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}}, points.size());
@@ -36,15 +36,15 @@ TEST(CvtDelaunayMesh, FlipsTheLongDiagonal) {
   EXPECT_EQ(closed.flip(points), 0U);
 }
 
-// Nearly flat on one side: every edge there asks for a flip, into an edge that exists already.
+// The tetrahedron is nearly flat. Its edges are not Delaunay, but every flip would create an edge that exists already.
 TEST(CvtDelaunayMesh, LeavesATetrahedron) {
   const std::vector<Eigen::Vector3d> points{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.3, 0.3, 1e-3}};
   DelaunayMesh mesh({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, points.size());
   EXPECT_EQ(mesh.flip(points), 0U);
 }
 
-// A jittered grid as the base of a deep pyramid, its cells cut at random: flips make it the Delaunay triangulation,
-// which in the plane is the one in whose circles no point lies.
+// A jittered grid, randomly triangulated, is the base of a deep pyramid. Flips make it the Delaunay triangulation, in
+// which no circumcircle contains a point.
 TEST(CvtDelaunayMesh, IsTheDelaunayTriangulationInThePlane) {
   constexpr std::uint32_t n = 24;
   std::vector<Eigen::Vector3d> points;
@@ -62,7 +62,7 @@ TEST(CvtDelaunayMesh, IsTheDelaunayTriangulationInThePlane) {
   for (std::uint32_t j = 0; j + 1 < n; ++j) {
     for (std::uint32_t i = 0; i + 1 < n; ++i) {
       const std::uint32_t a = j * n + i, b = a + 1, c = b + n, d = a + n;
-      // Flat cells only: a cut must not turn a triangle over.
+      // Uses a diagonal only if it inverts no triangle.
       const auto turns = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
         return (points[q] - points[p]).cross(points[r] - points[p])[2] > 0.0;
       };

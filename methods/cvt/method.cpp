@@ -15,7 +15,7 @@ namespace {
 
 using namespace cvt;
 
-void book(const particles::Cure& cured, Monitor& monitor) {
+void record_cure(const particles::CureResult& cured, Monitor& monitor) {
   monitor.set("cvt/pinched", static_cast<double>(cured.after.pinched));
   monitor.set("cvt/tilted", static_cast<double>(cured.after.tilted));
   monitor.set("cvt/crossed", static_cast<double>(cured.after.crossed));
@@ -26,9 +26,8 @@ void book(const particles::Cure& cured, Monitor& monitor) {
 
 class Mesher {
  public:
-  /// `smaller` is where `spacing` looks for smaller places.
-  Mesher(const MeshingTask& task, const particles::Spacing& spacing, particles::SizeBounds& smaller, Monitor& monitor)
-      : task_(task), spacing_(spacing), smaller_(smaller), monitor_(monitor) {}
+  Mesher(const MeshingTask& task, particles::SizedSurface& sized, Monitor& monitor)
+      : task_(task), sized_(sized), monitor_(monitor) {}
 
   TriangleMesh mesh() {
     seed();
@@ -36,12 +35,13 @@ class Mesher {
     optimise({task_.parameters.integer("lloyd"), task_.parameters.integer("quasi_newton")}, std::move(triangles));
     std::size_t sites = sites_.size();
     triangles = close();
-    // Sites that were added are too few again once they are evened out, unless the sizing keeps them.
+    // The optimisation would spread the sites that the cure has added, and the defects would return. So h is made
+    // smaller around them.
     const int rounds = task_.parameters.integer("rounds");
     int round = 0;
     for (; round < rounds && sites_.size() > sites; ++round) {
       particles::shrink_around({sites_.points.begin() + static_cast<std::ptrdiff_t>(sites), sites_.points.end()},
-                               spacing_, smaller_);
+                               sized_);
       constexpr Iterations again{3, 20};
       optimise(again, std::move(triangles));
       sites = sites_.size();
@@ -60,19 +60,17 @@ class Mesher {
   void seed() {
     const auto stage = monitor_.stage("seeds");
     lattice_mesh_ = marching_cubes(task_.surface, monitor_);
-    const double ideal = task_.sizing.vertices.value_or(particles::ideal_count(lattice_mesh_, spacing_));
+    const double ideal = task_.sizing.vertices.value_or(particles::ideal_count(sized_, lattice_mesh_));
     sites_ = particles::make_particles(
-        task_.surface, spacing_,
-        particles::eliminate_to_seeds(task_.surface, lattice_mesh_, spacing_,
-                                      static_cast<std::size_t>(std::llround(ideal)),
-                                      task_.parameters.number("candidates"), task_.seed, monitor_));
+        sized_, particles::eliminate_to_seeds(sized_, lattice_mesh_, static_cast<std::size_t>(std::llround(ideal)),
+                                              task_.parameters.number("candidates"), task_.seed, monitor_));
     monitor_.set("cvt/seeds", static_cast<double>(sites_.size()));
   }
 
   void optimise(const Iterations& iterations, std::vector<Triangle> triangles) {
     const auto stage = monitor_.stage("optimisation");
     DelaunayMesh mesh(std::move(triangles), sites_.size());
-    const Optimised done = cvt::optimise(task_.surface, spacing_, sites_, mesh, iterations, monitor_);
+    const Optimised done = cvt::optimise(sized_, sites_, mesh, iterations, monitor_);
     monitor_.add("cvt/lloyd iterations", done.lloyd);
     monitor_.add("cvt/quasi-newton iterations", done.quasi_newton);
     monitor_.add("cvt/shortened steps", static_cast<double>(done.shortened));
@@ -80,19 +78,18 @@ class Mesher {
     monitor_.set("cvt/energy", done.energy);
   }
 
-  /// The labelled Delaunay triangulation of the sites, and of more where they are too few.
+  /// The labelled Delaunay triangulation of the sites, after a cure that may add sites.
   std::vector<Triangle> close() {
     const auto stage = monitor_.stage("triangulation");
     LabelledDelaunay delaunay(sites_.points, task_.surface, monitor_);
-    book(particles::cure(task_.surface, spacing_, nullptr, lattice_mesh_, sites_, delaunay,
-                         {.rounds = task_.parameters.integer("cure")}, monitor_),
-         monitor_);
+    particles::CureOptions options;
+    options.rounds = task_.parameters.integer("cure");
+    record_cure(particles::cure(sized_, lattice_mesh_, sites_, delaunay, options, monitor_), monitor_);
     return delaunay.triangles();
   }
 
   const MeshingTask& task_;
-  const particles::Spacing& spacing_;
-  particles::SizeBounds& smaller_;
+  particles::SizedSurface& sized_;
   Monitor& monitor_;
   TriangleMesh lattice_mesh_;
   particles::Particles sites_;
@@ -100,11 +97,10 @@ class Mesher {
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   const auto field = task.sizing_field(monitor);
-  constexpr double growth = 0.3;  // of h, a mm, away from where it was made smaller
-  particles::SizeBounds smaller(task.surface, growth);
+  constexpr double delta = 0.3;  // how fast h rises away from where it is made smaller, mm a mm
   const double contraction = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
-  const particles::Spacing spacing{*field, contraction, &smaller};
-  return Mesher(task, spacing, smaller, monitor).mesh();
+  particles::SizedSurface sized(task.surface, *field, contraction, delta);
+  return Mesher(task, sized, monitor).mesh();
 }
 
 }  // namespace
@@ -120,18 +116,18 @@ Method method_cvt() {
       {"contraction",
        1.5,
        "",
-       "g: adaptive spacing is h/g, as the particles have it, so that methods compare at equal sizing",
+       "g: with an adaptive sizing, sites are spaced by h/g as for particles, so that methods compare at equal sizing",
        1.0,
        4.0,
        {},
        false},
-      {"candidates", 4.0, "per site", "of the seeds: random candidates that they are left from", 2.0, 20.0, {}, false},
-      {"lloyd", 10.0, "", "Lloyd's iterations, at most", 0.0, 10000.0, {}, true},
-      {"quasi_newton", 60.0, "", "iterations of L-BFGS after them, at most", 0.0, 10000.0, {}, true},
+      {"candidates", 4.0, "per site", "random candidates from which the seeds are chosen", 2.0, 20.0, {}, false},
+      {"lloyd", 10.0, "", "maximum number of Lloyd iterations", 0.0, 10000.0, {}, true},
+      {"quasi_newton", 60.0, "", "maximum number of L-BFGS iterations after them", 0.0, 10000.0, {}, true},
       {"rounds",
        8.0,
        "",
-       "of making h smaller around the sites that the cure adds at the end and iterating again, at most",
+       "maximum number of rounds that make h smaller around sites added by the cure and optimise again",
        0.0,
        100.0,
        {},
@@ -139,7 +135,7 @@ Method method_cvt() {
       {"cure",
        20.0,
        "",
-       "rounds, at most, in which sites are added where the triangulation's topology is not the surface's",
+       "maximum number of rounds that add sites where the topology of the triangulation is not that of the surface",
        0.0,
        100.0,
        {},

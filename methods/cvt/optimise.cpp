@@ -17,8 +17,8 @@ namespace {
 
 using particles::Particles;
 
-constexpr double settled = 1e-7;  // an iteration that lowers the energy by less than this much of itself is the last
-constexpr double longest = 0.3;   // of a point's steps, in units of h: what flips can follow
+constexpr double settled = 1e-7;  // the iterations end when the energy falls by less than this share of itself
+constexpr double longest = 0.3;   // largest step, times the spacing; flips can follow it
 constexpr std::size_t memory = 7;
 constexpr int most_tries = 6;
 
@@ -29,12 +29,12 @@ void for_all(std::size_t count, const Body& body) {
   });
 }
 
-/// One number for each coordinate of each point.
+/// One value for each coordinate of each point.
 using Field = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
 double dot(const Field& a, const Field& b) { return a.cwiseProduct(b).sum(); }
 
-/// The last steps and what they changed in the gradient, and the direction that they suggest (Nocedal 1980).
+/// The last steps, the changes of the gradient over them, and the direction that follows from both (Nocedal 1980).
 class History {
  public:
   void remember(Field step, Field change) {
@@ -46,7 +46,7 @@ class History {
 
   void forget() { pairs_.clear(); }
 
-  /// −H·gradient, H the approximate inverse of the Hessian, from the diagonal of its first guess.
+  /// −H · gradient, where H approximates the inverse Hessian. `inverse` is the diagonal of its first guess.
   Field direction(Field gradient, const Eigen::RowVectorXd& inverse) const {
     std::vector<double> along(pairs_.size());
     for (std::size_t n = pairs_.size(); n-- > 0;) {
@@ -76,11 +76,10 @@ class History {
 
 class Optimiser {
  public:
-  Optimiser(const Isosurface& surface, const particles::Spacing& spacing, Particles& sites, DelaunayMesh& mesh,
-            Monitor& monitor)
-      : surface_(surface), spacing_(spacing), sites_(sites), mesh_(mesh), monitor_(monitor) {
-    for_all(sites_.size(), [&](std::size_t n) { sites_.spacing[n] = spacing_(sites_.points[n]); });
-    look();
+  Optimiser(const particles::SizedSurface& sized, Particles& sites, DelaunayMesh& mesh, Monitor& monitor)
+      : sized_(sized), sites_(sites), mesh_(mesh), monitor_(monitor) {
+    for_all(sites_.size(), [&](std::size_t n) { sites_.spacing[n] = sized_.spacing(sites_.points[n]); });
+    update_cells();
   }
 
   Optimised run(const Iterations& iterations) {
@@ -88,7 +87,7 @@ class Optimiser {
     double before = 2.0 * cells_.energy;
     while (done_.lloyd < iterations.lloyd && cells_.energy < (1.0 - settled) * before) {
       monitor_.progress(done_.lloyd / all);
-      show();
+      trace_energy();
       before = cells_.energy;
       move_to(towards_centroids());
       ++done_.lloyd;
@@ -96,20 +95,20 @@ class Optimiser {
     before = 2.0 * cells_.energy;
     while (done_.quasi_newton < iterations.quasi_newton && cells_.energy < (1.0 - settled) * before) {
       monitor_.progress((iterations.lloyd + done_.quasi_newton) / all);
-      show();
+      trace_energy();
       before = cells_.energy;
       step_by_history();
       ++done_.quasi_newton;
     }
-    show();
+    trace_energy();
     done_.energy = cells_.energy / cells_.hexagonal;
     return done_;
   }
 
  private:
-  void show() { monitor_.trace("energy", cells_.energy / cells_.hexagonal); }
+  void trace_energy() { monitor_.trace("energy", cells_.energy / cells_.hexagonal); }
 
-  void look() {
+  void update_cells() {
     done_.flips += mesh_.flip(sites_.points);
     cells_ = voronoi_cells(sites_.points, sites_.spacing, mesh_.triangles());
   }
@@ -126,22 +125,22 @@ class Optimiser {
     return v - v.dot(sites_.normals[n]) * sites_.normals[n];
   }
 
-  /// All sites take their steps and go back to F = c; one that would come out on another sheet stays.
+  /// Moves all sites by their steps and projects them to F = c. A site that would get to another sheet stays.
   void move_to(const Field& step, double length = 1.0) {
     const Particles from = sites_;
     for_all(from.size(), [&](std::size_t n) {
       Eigen::Vector3d by = length * step.col(static_cast<Eigen::Index>(n));
       const double most = longest * from.spacing[n];
       if (by.squaredNorm() > most * most) by *= most / by.norm();
-      const auto foot = surface_.project(from.points[n] + by);
+      const auto foot = sized_.surface().project(from.points[n] + by);
       if (!foot) return;
-      const Eigen::Vector3d normal = outward_normal(surface_.value_gradient(*foot).gradient);
+      const Eigen::Vector3d normal = outward_normal(sized_.surface().value_gradient(*foot).gradient);
       if (normal.dot(from.normals[n]) <= 0.0) return;
       sites_.points[n] = *foot;
       sites_.normals[n] = normal;
-      sites_.spacing[n] = spacing_(*foot);
+      sites_.spacing[n] = sized_.spacing(*foot);
     });
-    look();
+    update_cells();
   }
 
   Field gradient() const {
@@ -186,15 +185,14 @@ class Optimiser {
         return;
       }
     }
-    // What was remembered is of no use here.
+    // The remembered steps are of no use here. Restarts with a step of Lloyd's.
     history_.forget();
     sites_ = start;
-    look();
+    update_cells();
     move_to(towards_centroids());
   }
 
-  const Isosurface& surface_;
-  const particles::Spacing& spacing_;
+  const particles::SizedSurface& sized_;
   Particles& sites_;
   DelaunayMesh& mesh_;
   Monitor& monitor_;
@@ -205,9 +203,9 @@ class Optimiser {
 
 }  // namespace
 
-Optimised optimise(const Isosurface& surface, const particles::Spacing& spacing, Particles& sites, DelaunayMesh& mesh,
+Optimised optimise(const particles::SizedSurface& sized, Particles& sites, DelaunayMesh& mesh,
                    const Iterations& iterations, Monitor& monitor) {
-  return Optimiser(surface, spacing, sites, mesh, monitor).run(iterations);
+  return Optimiser(sized, sites, mesh, monitor).run(iterations);
 }
 
 }  // namespace isobench::cvt

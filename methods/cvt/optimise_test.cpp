@@ -12,6 +12,8 @@
 #include "isobench/methods/closing/labelled_delaunay.h"
 #include "isobench/methods/cvt/cells.h"
 #include "isobench/methods/lattice/marching_cubes.h"
+#include "isobench/methods/particles/sampling/seeds.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench::cvt {
 namespace {
@@ -21,16 +23,16 @@ struct Case {
   Case(const std::string& name, int nodes, const SizingRequest& request, double contraction)
       : surface(sample_phantom(phantom(name), nodes), 0.0),
         field(make_sizing_field(surface, request, monitor)),
-        spacing{field, contraction} {
+        sized(surface, field, contraction) {
     const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
-    const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
-    sites = particles::make_particles(
-        surface, spacing, particles::eliminate_to_seeds(surface, lattice_mesh, spacing, count, 4.0, 1, monitor));
+    const auto count = static_cast<std::size_t>(particles::ideal_count(sized, lattice_mesh));
+    sites =
+        particles::make_particles(sized, particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, 1, monitor));
   }
 
   Optimised run(const Iterations& iterations) {
     if (!mesh) mesh.emplace(LabelledDelaunay(sites.points, surface, monitor).triangles(), sites.size());
-    return optimise(surface, spacing, sites, *mesh, iterations, monitor);
+    return optimise(sized, sites, *mesh, iterations, monitor);
   }
 
   Cells cells() const { return voronoi_cells(sites.points, sites.spacing, mesh->triangles()); }
@@ -38,30 +40,18 @@ struct Case {
   Monitor monitor;
   Isosurface surface;
   SizingField field;
-  particles::Spacing spacing;
+  particles::SizedSurface sized;
   particles::Particles sites;
   std::optional<DelaunayMesh> mesh;
 };
 
-SizingRequest uniform(double edge_length) {
-  SizingRequest request;
-  request.edge_length = edge_length;
-  return request;
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
-}
-
-// As long as edges are short against radii of curvature: cells are cut from the triangles, not from the surface.
+// This holds if edges are short against the radii of curvature, because cells are parts of triangles, not of the
+// surface.
 TEST(CvtOptimise, LloydNeverRaisesTheEnergy) {
   for (const auto& request : {uniform(1.5), adaptive(0.15, 0.3)}) {
     for (const char* name : {"torus", "ellipsoid", "rounded-box"}) {
       Case c(name, 48, request, 1.0);
-      // The energy itself: that of hexagons, by which the trace divides, changes with the sites.
+      // Compares the energy itself. The trace divides it by the energy of hexagons, which changes with the sites.
       double before = std::numeric_limits<double>::infinity();
       for (int iteration = 0; iteration < 20; ++iteration) {
         c.run({1, 0});
@@ -76,7 +66,7 @@ TEST(CvtOptimise, LloydNeverRaisesTheEnergy) {
 TEST(CvtOptimise, ComesNearTheEnergyOfHexagonsAndTheCentroids) {
   Case c("sphere", 48, uniform(1.5), 1.0);
   const Optimised done = c.run({10, 150});
-  // Not all of a sphere can be hexagons: at least twelve sites have five neighbours.
+  // A sphere cannot consist of hexagons only: at least twelve sites have five neighbours.
   EXPECT_GT(done.energy, 1.0);
   EXPECT_LT(done.energy, 1.015);
   EXPECT_EQ(done.energy, c.monitor.traces().at("energy").back());
@@ -95,7 +85,7 @@ TEST(CvtOptimise, QuasiNewtonGetsFartherThanLloyd) {
   const Optimised newton = other.run({10, 60});
   EXPECT_EQ(lloyd.lloyd, 70);
   EXPECT_EQ(newton.quasi_newton, 60);
-  // Of what lies above the energy of hexagons.
+  // Compares the parts above the energy of hexagons.
   EXPECT_LT(newton.energy - 1.0, 0.7 * (lloyd.energy - 1.0));
 }
 
@@ -106,15 +96,15 @@ TEST(CvtOptimise, KeepsSitesOnTheSurface) {
     const Jet jet = c.surface.value_gradient(c.sites.points[n]);
     EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 2e-6 * c.surface.voxel());
     EXPECT_GT(c.sites.normals[n].dot(outward_normal(jet.gradient)), 1.0 - 1e-9);
-    EXPECT_EQ(c.sites.spacing[n], c.spacing(c.sites.points[n]));
+    EXPECT_EQ(c.sites.spacing[n], c.sized.spacing(c.sites.points[n]));
   }
 }
 
-// The density's exponent: with 1/h² for 1/h⁴ edges would go with √h.
+// Tests the exponent of the density: with 1/h² instead of 1/h⁴, edge lengths would be proportional to √h.
 TEST(CvtOptimise, EdgesFollowTheSizing) {
   Case c("two-spheres", 64, adaptive(0.3, 0.3), 1.0);
   c.run({10, 150});
-  std::vector<std::pair<double, double>> edges;  // h and the length over h
+  std::vector<std::pair<double, double>> edges;  // h and the length divided by h
   for (const Triangle& t : c.mesh->triangles()) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double h = 0.5 * (c.sites.spacing[t[k]] + c.sites.spacing[t[(k + 1) % 3]]);
@@ -137,7 +127,7 @@ TEST(CvtOptimise, StopsWhenCancelled) {
   Case c("sphere", 32, uniform(3.0), 1.0);
   DelaunayMesh mesh(LabelledDelaunay(c.sites.points, c.surface, c.monitor).triangles(), c.sites.size());
   c.monitor.cancel();
-  EXPECT_THROW(optimise(c.surface, c.spacing, c.sites, mesh, {5, 5}, c.monitor), Cancelled);
+  EXPECT_THROW(optimise(c.sized, c.sites, mesh, {5, 5}, c.monitor), Cancelled);
 }
 
 }  // namespace

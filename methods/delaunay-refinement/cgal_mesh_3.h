@@ -1,4 +1,4 @@
-// CGAL's Mesh_3 over our isosurface, for one thread or several.
+// CGAL's Mesh_3 on F = c, for one thread or for several.
 #pragma once
 
 #include <CGAL/Mesh_3/Mesher_3.h>
@@ -7,15 +7,29 @@
 #include <CGAL/Mesh_facet_topology.h>
 #include <CGAL/Mesh_triangulation_3.h>
 
-#include <boost/optional.hpp>
 #include <tuple>
+#if CGAL_VERSION_NR < 1060000000
+#include <boost/optional.hpp>
+#else
+#include <optional>
+#endif
 
 #include "isobench/methods/delaunay-refinement/cgal_oracle.h"
 
 namespace isobench::delaunay_refinement {
 
-/// A model of CGAL's concept MeshDomain_3: one body, bounded by one surface. CGAL's own labelled domain would ask for
-/// the sign alone; with values of f a crossing takes half as many, and is exact.
+// The concept MeshDomain_3 asks for std::optional from CGAL 6 on. CGAL has no name for the type but those of its own
+// domains, whose headers take longer to compile than the mesher's.
+#if CGAL_VERSION_NR < 1060000000
+template <class Value>
+using MeshOptional = boost::optional<Value>;
+#else
+template <class Value>
+using MeshOptional = std::optional<Value>;
+#endif
+
+/// A model of CGAL's concept MeshDomain_3: one body, bounded by one surface. CGAL's own labelled domain uses only the
+/// sign of f and finds a crossing by bisection; with the values of f it takes half as many evaluations and is exact.
 class Domain {  // NOLINTBEGIN(readability-identifier-naming): the concept's names
  public:
   using R = Kernel;
@@ -29,8 +43,8 @@ class Domain {  // NOLINTBEGIN(readability-identifier-naming): the concept's nam
   using Subdomain_index = int;
   using Surface_patch_index = int;
   using Index = int;
-  using Subdomain = boost::optional<Subdomain_index>;
-  using Surface_patch = boost::optional<Surface_patch_index>;
+  using Subdomain = MeshOptional<Subdomain_index>;
+  using Surface_patch = MeshOptional<Surface_patch_index>;
   using Intersection = std::tuple<Point_3, Index, int>;
 
   explicit Domain(const Problem& problem) : dual_(problem) {}
@@ -76,7 +90,7 @@ class Domain {  // NOLINTBEGIN(readability-identifier-naming): the concept's nam
   Dual dual_;
 };  // NOLINTEND(readability-identifier-naming)
 
-/// A bound on the radii of facets' balls, as Mesh_3 asks for it.
+/// The bound on the radius of a facet's surface ball, in the form that Mesh_3 takes.
 struct RadiusBound {  // NOLINTBEGIN(readability-identifier-naming): the concept's names
   using FT = Kernel::FT;
   using Point_3 = Kernel::Point_3;
@@ -91,7 +105,7 @@ template <class Concurrency>
 class RefinementByMesh3 final : public Refinement {
  public:
   explicit RefinementByMesh3(const Problem& problem) : problem_(problem), domain_(problem_) {
-    problem_.stop = &stop_;  // an exception would leave its groups of tasks allocated
+    problem_.stop = &stop_;  // an exception would leak the parallel mesher's task groups
     Triangulation& triangulation = complex_.triangulation();
     const auto weighted = triangulation.geom_traits().construct_weighted_point_3_object();
     for (const Eigen::Vector3d& seed : problem_.seeds) {
@@ -104,9 +118,9 @@ class RefinementByMesh3 final : public Refinement {
   TriangleMesh refine(double factor) override {
     const typename Criteria::Facet_criteria facets(problem_.angle, RadiusBound{&problem_.sizes, factor},
                                                    problem_.distance);
-    const typename Criteria::Cell_criteria cells(0.0, 0.0);  // no bounds: cells are of no interest here
-    const Criteria criteria(facets, cells);                  // the mesher refers to it
-    // What CGAL::refine_mesh_3 does without its optimisers of cells, which take a minute and 2 GB to compile.
+    const typename Criteria::Cell_criteria cells(0.0, 0.0);  // no bounds: only facets matter here
+    const Criteria criteria(facets, cells);                  // must outlive the mesher
+    // These are the steps of CGAL::refine_mesh_3 without its cell optimisers, which take a minute and 2 GB to compile.
     CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain> mesher(complex_, domain_, criteria, CGAL::MANIFOLD, 0, nullptr,
                                                              &stop_);
     mesher.refine_mesh();

@@ -1,4 +1,4 @@
-// F = c in the terms that CGAL's two surface meshers ask in.
+// What CGAL's two surface meshers share here: their questions about F = c, and how their facets become a mesh.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,7 +19,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 inline Eigen::Vector3d to_eigen(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 inline Kernel::Point_3 to_point(const Eigen::Vector3d& x) { return {x[0], x[1], x[2]}; }
 
-/// What the dual of a facet meets: a segment between two circumcentres or, at the hull, a ray.
+/// Where the dual of a facet crosses F = c. The dual is the segment between the circumcentres of two cells or, at the
+/// convex hull, a ray.
 class Dual {
  public:
   explicit Dual(const Problem& problem) : problem_(&problem) {}
@@ -27,7 +28,7 @@ class Dual {
   std::optional<Kernel::Point_3> crossing(const Kernel::Segment_3& segment) const {
     return between(to_eigen(segment.source()), to_eigen(segment.target()));
   }
-  /// As far as it takes to leave the volume.
+  /// The ray is followed until it has left the volume.
   std::optional<Kernel::Point_3> crossing(const Kernel::Ray_3& ray) const {
     const Eigen::Vector3d from = to_eigen(ray.source());
     const Kernel::Vector_3 along = ray.to_vector();
@@ -35,7 +36,7 @@ class Dual {
     const double reach = (from.cwiseAbs() + problem_->surface.extent()).norm();
     return between(from, from + reach * direction);
   }
-  /// Of a triangulation that is flat yet; seeds span a tetrahedron.
+  /// Duals are lines only while all vertices lie in one plane; the seeds span a tetrahedron.
   std::optional<Kernel::Point_3> crossing(const Kernel::Line_3& /*line*/) const { return std::nullopt; }
 
   bool is_inside(const Kernel::Point_3& p) const {
@@ -59,16 +60,17 @@ class Dual {
   const Problem* problem_;
 };
 
-/// Gathers facets into a mesh; vertices are numbered as they come.
+/// Collects facets into a mesh; vertices are numbered in the order in which they are met.
 template <class Vertex>
 class MeshOfFacets {
  public:
-  /// The facet of `cell` opposite its vertex `index`; `inside`: the cell is inside the object.
+  /// Adds the facet of `cell` opposite its vertex `index`; `inside` says whether the cell is inside the object.
   template <class Cell>
   void add(const Cell& cell, int index, bool inside) {
     Triangle triangle{};
     for (int corner = 0; corner < 3; ++corner) {
-      // CGAL: for an even index these run clockwise seen from the vertex opposite, i.e. counter-clockwise from beyond.
+      // For an even index, these corners run clockwise seen from the opposite vertex (CGAL's convention), so
+      // counter-clockwise seen from outside the cell.
       const int at = (index + 1 + corner) & 3;
       triangle[static_cast<std::size_t>(corner)] = number(cell->vertex(at));
     }

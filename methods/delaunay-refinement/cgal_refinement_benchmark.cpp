@@ -1,5 +1,5 @@
-// `delaunay-refinement` against the program that one would write after CGAL's manual, in turn, on the same F = c with
-// the same criteria. The counter "ratio" is ours over plain, in CPU seconds; it must be no more than 1.3.
+// Compares `delaunay-refinement` with a program as CGAL's manual shows it: both run in turn on the same F = c with the
+// same criteria. The counter "ratio" is our CPU time over that of the plain program; it must not exceed 1.3.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -18,7 +18,7 @@
 namespace isobench {
 namespace {
 
-/// Vertices of the mesh.
+/// Meshes as CGAL's manual shows it and returns the number of vertices.
 std::size_t plain_mesh_3(const Isosurface& surface, double radius) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
@@ -54,7 +54,7 @@ void against_plain_mesh_3(benchmark::State& state, const std::string& name) {
   const Isosurface& surface = *dataset.surface;
   SizingRequest sizing;
   sizing.vertices = static_cast<double>(state.range(0));
-  refined(surface, sizing, monitor);  // to know the radius that makes that number
+  refined(surface, sizing, monitor);  // finds the radius bound that gives this number of vertices
   const double length = make_sizing_field(surface, sizing, monitor).largest();
   const double radius = length * monitor.counters().at("delaunay-refinement/radius over h");
   double ours = 0.0;

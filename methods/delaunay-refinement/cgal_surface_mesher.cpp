@@ -1,3 +1,6 @@
+// CGAL 6 deprecates this package, and its headers print a warning. The engine stays as long as Debian ships the
+// package, because published comparisons use it.
+#define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/Complex_2_in_triangulation_3.h>
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
@@ -41,7 +44,7 @@ class Oracle {  // NOLINTBEGIN(readability-identifier-naming): the concept's nam
   Construct_initial_points construct_initial_points_object() const { return {}; }
 };  // NOLINTEND(readability-identifier-naming)
 
-/// Balls no larger than factor·h; CGAL has a criterion of one size alone.
+/// Bounds the radius of a facet's surface ball by factor·h. CGAL's own criterion has one bound for the whole surface.
 class SizeCriterion final : public Criterion {
  public:
   SizeCriterion(const SizingField& sizes, double factor) : sizes_(sizes), factor_(factor) {}

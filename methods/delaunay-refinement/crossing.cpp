@@ -12,12 +12,12 @@ bool in_volume(const Isosurface& surface, const Eigen::Vector3d& x) {
   return (x.array() >= 0.0).all() && (x.array() <= surface.extent().array()).all();
 }
 
-/// f, and −∞ outside the volume.
+/// The value of f in the volume, −∞ outside it.
 double value(const Isosurface& surface, const Eigen::Vector3d& x) {
   return in_volume(surface, x) ? surface.value(x) : -std::numeric_limits<double>::infinity();
 }
 
-/// Where the way from x, which is in the volume, to y leaves it.
+/// The point where the segment from x to y leaves the volume. Precondition: x is in the volume.
 Eigen::Vector3d exit(const Isosurface& surface, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   const Eigen::Vector3d way = y - x;
   double share = 1.0;
@@ -33,21 +33,21 @@ struct End {
   double f;
 };
 
-/// From a bracket no longer than a voxel.
+/// The zero of f in a bracket that is no longer than a voxel.
 Eigen::Vector3d polished(const Isosurface& surface, End in, End out) {
   constexpr double tolerance = 1e-6;
   constexpr int most = 40;
   const double length = (out.x - in.x).norm();
-  double at_in = 0.0;  // along the bracket
+  double at_in = 0.0;  // position along the bracket, as is at_out
   double at_out = 1.0;
-  int same = 0;  // > 0: how often the inner end has moved in a row, < 0: the outer
+  int same = 0;  // how often the inner end (> 0) or the outer end (< 0) has moved in a row
   for (int n = 0; n < most; ++n) {
     const double slope = (in.f - out.f) / (at_out - at_in);
     const double at = at_in + in.f / slope;
     Eigen::Vector3d x = (1.0 - at) * in.x + at * out.x;
     const double f = surface.value(x);
     if (std::abs(f) * length < tolerance * surface.voxel() * slope) return x;
-    // Illinois: an end that has stood for two steps counts half, or it would stand for ever.
+    // The Illinois rule: halve the value at an end that has not moved for two steps, or it might never move.
     if (f > 0.0) {
       at_in = at;
       in.f = f;

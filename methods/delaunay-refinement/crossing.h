@@ -1,4 +1,4 @@
-// Where a segment crosses F = c: the one question that Delaunay refinement asks of a surface.
+// Where a segment crosses F = c: all that Delaunay refinement needs to know of the surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,13 +8,15 @@
 
 namespace isobench::delaunay_refinement {
 
-/// In the volume and f > 0. What is outside the volume is outside the object, however far: circumcentres may be.
+/// Whether x is in the volume and f(x) > 0. Points outside the volume are outside the object; circumcentres may be far
+/// from the volume.
 bool is_inside(const Isosurface& surface, const Eigen::Vector3d& x);
 
-/// A point on F = c between an end that is inside and one that is not, to 1e-6 voxel along the segment; where the
-/// object leaves the volume between them, the place where it does. std::nullopt where both are on one side.
-/// Halved until it is no longer than a voxel, so that of several crossings one that bisection finds is taken; then a
-/// bracketed secant (Illinois; Dowell, Jarratt 1971). Cost: about ten values of f.
+/// A point on F = c on the segment from a to b, accurate to 1e-6 voxel along it, if one end is inside the object and
+/// the other is not. If the object reaches the border of the volume between them, the point is where the segment leaves
+/// the volume. std::nullopt if both ends are on one side. Method: bisection until the bracket is no longer than a
+/// voxel, then the Illinois variant of regula falsi (Dowell, Jarratt 1971). If there are several crossings, bisection
+/// decides which one is found. Cost: about ten values of f.
 std::optional<Eigen::Vector3d> crossing(const Isosurface& surface, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 }  // namespace isobench::delaunay_refinement

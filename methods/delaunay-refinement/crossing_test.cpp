@@ -1,4 +1,4 @@
-// Crossings of segments with surfaces whose place is known.
+// Crossings of segments with surfaces whose position is known.
 #include "isobench/methods/delaunay-refinement/crossing.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 namespace isobench::delaunay_refinement {
 namespace {
 
-/// z = 4.3 over a lattice of 10 mm, inside below: splines reproduce a linear function.
+/// The plane z = 4.3 in a volume of 10 mm, the object below it. Splines reproduce a linear function.
 Isosurface plane() {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {11, 11, 11};
   for (int k = 0; k < 11; ++k) volume.samples.insert(volume.samples.end(), 121, static_cast<float>(k));
   return {std::move(volume), 4.3, Inside::below};
@@ -38,7 +38,7 @@ TEST(Crossing, OfAPlane) {
   EXPECT_FALSE(crossing(surface, {5, 5, 1}, {1, 2, 3}));
 }
 
-// Circumcentres may be anywhere: a spline goes on beyond its lattice, the object does not.
+// Circumcentres may be anywhere. A spline has values beyond its lattice, but the object ends there.
 TEST(Crossing, WhatIsFarOutsideTheVolumeIsOutsideTheObject) {
   const Isosurface surface = plane();
   EXPECT_TRUE(is_inside(surface, {5, 5, 1}));

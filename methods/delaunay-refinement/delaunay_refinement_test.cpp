@@ -12,21 +12,12 @@
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
 
 using Values = std::map<std::string, ParameterValue>;
-
-Isosurface surface_of(const std::string& name, int nodes) {
-  return Isosurface(sample_phantom(phantom(name), nodes), 0.0);
-}
-
-SizingRequest vertices(double number) {
-  SizingRequest request;
-  request.vertices = number;
-  return request;
-}
 
 Parameters with(const Values& values) {
   const ParameterSchema& schema = method("delaunay-refinement").parameters;
@@ -77,14 +68,14 @@ TEST(DelaunayRefinement, MeshesSphereTorusAndTwoBodiesByEveryEngine) {
     const Isosurface surface = surface_of(name, 40);
     for (std::size_t engine = 0; engine < engines().size(); ++engine) {
       SCOPED_TRACE(std::string(name) + ", engine " + std::to_string(engine));
-      const TriangleMesh mesh = mesh_of(surface, vertices(2000), engines()[engine]);
+      const TriangleMesh mesh = mesh_of(surface, with_vertices(2000), engines()[engine]);
       expect_right(mesh, phantom(name), surface);
       EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 2000.0, 40.0);
     }
   }
 }
 
-// Triangles of a mean edge as long as was asked for: within 3 %, as are those of the sizes that the bound was set by.
+// The mean edge length is within 3 % of the requested one, as on the spheres and tori by which the bound was set.
 TEST(DelaunayRefinement, EdgesAreAsLongAsAskedForOnAverage) {
   const Isosurface surface = surface_of("torus", 48);
   SizingRequest request;
@@ -99,7 +90,6 @@ TEST(DelaunayRefinement, EdgesAreAsLongAsAskedForOnAverage) {
   }
 }
 
-// Named so that the thread sanitizer leaves it out: CGAL's parallel mesher is not ours to check.
 TEST(DelaunayRefinement, FollowsTheFieldOfSizes) {
   const Isosurface surface = surface_of("torus", 48);
   SizingRequest request;
@@ -109,7 +99,7 @@ TEST(DelaunayRefinement, FollowsTheFieldOfSizes) {
     const TriangleMesh mesh = mesh_of(surface, request, engine);
     expect_right(mesh, phantom("torus"), surface);
   }
-  // With g = 1.5 balls are a good half of h: no edge is longer than twice that.
+  // With g = 1.5, surface balls have a radius of about h/2. An edge is at most two radii long.
   Monitor monitor;
   const MeshingTask task(surface, request, with({}), 1);
   const TriangleMesh mesh = method("delaunay-refinement").mesh(task, monitor);
@@ -134,14 +124,14 @@ TEST(DelaunayRefinement, ComesNearerWhereADistanceIsAskedFor) {
 
 TEST(DelaunayRefinement, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   const Isosurface surface = surface_of("two-spheres", 40);
-  const TriangleMesh first = mesh_of(surface, vertices(2000));
+  const TriangleMesh first = mesh_of(surface, with_vertices(2000));
   {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const TriangleMesh again = mesh_of(surface, vertices(2000));
+    const TriangleMesh again = mesh_of(surface, with_vertices(2000));
     EXPECT_EQ(first.vertices, again.vertices);
     EXPECT_EQ(first.triangles, again.triangles);
   }
-  EXPECT_NE(first.vertices, mesh_of(surface, vertices(2000), {}, 2).vertices);
+  EXPECT_NE(first.vertices, mesh_of(surface, with_vertices(2000), {}, 2).vertices);
 }
 
 TEST(DelaunayRefinement, PromisesTheSameMeshOfMesh3OnOneThreadAlone) {
@@ -155,7 +145,7 @@ TEST(DelaunayRefinement, PromisesTheSameMeshOfMesh3OnOneThreadAlone) {
 TEST(DelaunayRefinement, SaysWhatItCannotDo) {
   const Isosurface surface = surface_of("sphere", 24);
   try {
-    mesh_of(surface, vertices(500), {{"parallel", true}, {"engine", std::string("surface-mesher")}});
+    mesh_of(surface, with_vertices(500), {{"parallel", true}, {"engine", std::string("surface-mesher")}});
     FAIL();
   } catch (const Skipped& skipped) {
     EXPECT_NE(std::string(skipped.what()).find("surface-mesher has no parallel variant"), std::string::npos);
@@ -168,7 +158,7 @@ TEST(DelaunayRefinement, CanBeStopped) {
   const Isosurface surface = surface_of("sphere", 24);
   for (const Values& engine : engines()) {
     Monitor monitor;
-    const MeshingTask task(surface, vertices(1e6), with(engine), 1);
+    const MeshingTask task(surface, with_vertices(1e6), with(engine), 1);
     const auto field = task.sizing_field(monitor);
     std::thread other([&] {
       std::this_thread::sleep_for(std::chrono::milliseconds(300));

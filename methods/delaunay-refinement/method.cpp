@@ -12,8 +12,8 @@ namespace {
 
 struct Engine {
   std::unique_ptr<Refinement> (*start)(const Problem&);
-  /// The bound on radii, for edges of length 1, at which a smooth surface gets as many vertices as equilateral
-  /// triangles of that size would have: measured on spheres and tori of 2,000 to 50,000 vertices, with a bound of 30°.
+  /// The bound on the radii of surface balls at which a smooth surface gets as many vertices as equilateral triangles
+  /// with edges of length 1 would have. Measured on spheres and tori of 2,000 to 50,000 vertices, with angles ≥ 30°.
   double radius;
 };
 
@@ -25,11 +25,11 @@ Engine engine_of(const Parameters& parameters) {
   return {refinement_by_surface_mesher, 0.770};
 }
 
-/// Brings the number of vertices to what was asked for. A mesh of too few is refined further, as if it had been asked
-/// for at once; for one of too many there is no way back.
-class Counting {
+/// Refines to a requested number of vertices. A mesh with too few vertices is refined further, which gives the same
+/// mesh as a smaller bound from the start. Vertices cannot be removed: a mesh with too many is made again.
+class RefinementToNumber {
  public:
-  Counting(const Engine& engine, const Problem& problem, double vertices)
+  RefinementToNumber(const Engine& engine, const Problem& problem, double vertices)
       : engine_(engine), problem_(problem), vertices_(vertices) {}
 
   TriangleMesh mesh(Monitor& monitor) {
@@ -80,7 +80,7 @@ TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   const auto stage = monitor.stage("refinement");
   TriangleMesh mesh;
   if (task.sizing.vertices) {
-    mesh = Counting(engine, problem, *task.sizing.vertices).mesh(monitor);
+    mesh = RefinementToNumber(engine, problem, *task.sizing.vertices).mesh(monitor);
   } else {
     const double contraction = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
     mesh = engine.start(problem)->refine(engine.radius / contraction);
@@ -96,19 +96,27 @@ Method method_delaunay_refinement() {
   Method method;
   method.name = "delaunay-refinement";
   method.summary =
-      "CGAL's Delaunay refinement of F = c, by Mesh_3 or make_surface_mesh (Boissonnat, Oudot 2005; Rineau, Yvinec "
+      "CGAL's Delaunay refinement of F = c with Mesh_3 or make_surface_mesh (Boissonnat, Oudot 2005; Rineau, Yvinec "
       "2007; Jamin, Alliez, Yvinec, Boissonnat 2015)";
   method.parameters = {
-      {"engine", std::string("mesh-3"), "", "which of CGAL's two", 0.0, 0.0, {"mesh-3", "surface-mesher"}},
-      {"parallel", false, "", "refine on all threads by TBB (mesh-3 alone); not the same mesh twice"},
+      {"engine",
+       std::string("mesh-3"),
+       "",
+       "CGAL package: Mesh_3 or the older make_surface_mesh",
+       0.0,
+       0.0,
+       {"mesh-3", "surface-mesher"}},
+      {"parallel", false, "", "refine on all threads (mesh-3 only); two runs then give different meshes"},
       {"contraction", 1.5, "",
-       "g: adaptive edges are h/g on average, as the particles have them, so that methods compare at equal sizing", 1.0,
-       4.0},
-      {"angle", 30.0, "°", "the smallest angle that a triangle may have; 0: any", 0.0, 30.0},
+       "g: adaptive sizing aims at a mean edge length of h/g, as particles does, so that methods compare at equal "
+       "sizing",
+       1.0, 4.0},
+      {"angle", 30.0, "°", "lower bound on the angles of triangles; 0: no bound", 0.0, 30.0},
       {"distance", 0.0, "voxels",
-       "the largest distance between the centres of a facet's circle and of its ball on F = c; 0: any", 0.0, 100.0},
+       "upper bound on the distance from a facet's circumcentre to the centre of its surface ball; 0: no bound", 0.0,
+       100.0},
   };
-  // The surface mesher was seen to make another mesh at the same seed; perhaps its order is that of addresses.
+  // The surface mesher gave different meshes for the same seed, perhaps because it orders cells by their addresses.
   method.deterministic_with = [](const Parameters& parameters) {
     return !parameters.flag("parallel") && parameters.text("engine") == "mesh-3";
   };

@@ -13,24 +13,24 @@
 
 namespace isobench::delaunay_refinement {
 
-/// What is refined, and until when but for the size. Referred to must outlive the refinement.
+/// The surface to mesh and the bounds that its facets must meet. The referenced objects must outlive the refinement.
 struct Problem {
   const Isosurface& surface;
   const SizingField& sizes;
-  std::vector<Eigen::Vector3d> seeds;  ///< on F = c, spanning a tetrahedron, some on every component
-  double angle = 30.0;                 ///< degrees, smallest of a facet; above 30 refinement need not end
-  double distance = 0.0;               ///< mm, of a facet's circumcentre to that of its ball on F = c; 0: any
-  const Monitor& monitor;              ///< asked now and then whether to go on
-  /// What an engine looks at that must not be left by an exception; set then instead of throwing Cancelled.
+  std::vector<Eigen::Vector3d> seeds;  ///< on F = c, several on every component; together they span a tetrahedron
+  double angle = 30.0;     ///< degrees, lower bound on a facet's angles; above 30, refinement may not terminate
+  double distance = 0.0;   ///< mm, upper bound on circumcentre to centre of the surface ball; 0: no bound
+  const Monitor& monitor;  ///< asked regularly whether to go on
+  /// For engines that an exception must not leave: if not null, it is set on cancellation and Cancelled is not thrown.
   std::atomic<bool>* stop = nullptr;
 };
 
 class Refinement {
  public:
   virtual ~Refinement() = default;
-  /// Goes on until the ball about each facet that is centred on F = c and has no vertex inside is no larger than
-  /// `factor`·h there, and the facets are a closed manifold. Later calls add to what there is, so factors may only
-  /// fall. Throws Cancelled.
+  /// Refines until every facet's surface ball (centred on F = c, through the facet's corners, without vertices inside)
+  /// has a radius of at most `factor`·h at its centre and the facets form a closed manifold. A later call continues
+  /// from the present mesh, so factors must not grow. Throws Cancelled.
   virtual TriangleMesh refine(double factor) = 0;
 
  protected:
@@ -39,8 +39,8 @@ class Refinement {
   Refinement& operator=(const Refinement&) = default;
 };
 
-/// CGAL's Mesh_3, facets alone (Boissonnat, Oudot 2005; Jamin et al. 2015); `parallel`: on all threads by TBB, and not
-/// the same mesh twice.
+/// CGAL's Mesh_3, refining facets only (Boissonnat, Oudot 2005; Jamin et al. 2015). The parallel variant uses all
+/// threads through TBB; two runs of it give different meshes.
 std::unique_ptr<Refinement> refinement_by_mesh_3(const Problem& problem);
 std::unique_ptr<Refinement> refinement_by_parallel_mesh_3(const Problem& problem);
 /// The older make_surface_mesh (Rineau, Yvinec 2007).

@@ -1,4 +1,4 @@
-// Where Delaunay refinement starts.
+// The points from which Delaunay refinement starts.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,10 @@
 
 namespace isobench::delaunay_refinement {
 
-/// Vertices of a mesh whose vertices are on F = c: of each component some that are farther from one another than
-/// `spacing` mm, each as far as possible from those before it, at least 8 and at most 200 (as far as there are).
-/// Refinement finds a component only from points on it, and a few enclose a small body. Sheets that the mesh joins are
-/// met alike. Time: vertices × seeds.
+/// Chooses vertices of a mesh whose vertices lie on F = c. In each component, vertices are chosen by farthest-point
+/// sampling while the next one is farther than `spacing` mm from those chosen, but at least 8 (if there are so many)
+/// and at most 200. Refinement finds a component only if seeds lie on it, and needs a few to enclose a small body.
+/// Where the mesh joins two components of F = c, the distances make seeds on both likely. Time: O(vertices × seeds).
 std::vector<Eigen::Vector3d> seeds_on(const TriangleMesh& mesh, double spacing, std::uint64_t seed);
 
 }  // namespace isobench::delaunay_refinement

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* blanks = " \t\r\n";
 
-// One word from `text` at `at`, which is at its first character and comes to lie behind its last.
+// The word that begins at `at`; sets `at` behind its end.
 std::string next_word(const std::string& text, std::size_t& at) {
   std::string word;
   char quote = 0;
@@ -22,7 +22,7 @@ std::string next_word(const std::string& text, std::size_t& at) {
     const char c = text[at];
     if (quote == 0 && std::string(blanks).find(c) != std::string::npos) break;
     if (c == '\\' && quote != '\'' && at + 1 < text.size()) {
-      // Between double quotes a backslash stands for itself, but before what it could quote there.
+      // Between double quotes a backslash stands for itself unless a quote or a backslash follows.
       const char next = text[at + 1];
       if (quote == '"' && next != '"' && next != '\\') word += c;
       word += next;
@@ -51,7 +51,7 @@ Placeholder parse(const std::string& inner) {
   if (sign == std::string::npos) return found;
   const std::optional<double> number = to_number(std::string_view(inner).substr(sign + 1));
   if (!number || !std::isfinite(*number) || *number <= 0.0) {
-    throw UsageError(fmt::format("{{{}}} is to be multiplied or divided by a number > 0", inner));
+    throw UsageError(fmt::format("{{{}}} must multiply or divide by a number > 0", inner));
   }
   found.name.resize(sign);
   found.factor = inner[sign] == '*' ? *number : 1.0 / *number;
@@ -59,7 +59,7 @@ Placeholder parse(const std::string& inner) {
   return found;
 }
 
-// The word with each placeholder replaced by what `replace` says.
+// The word with each placeholder replaced by the result of `replace`.
 std::string replaced(const std::string& word, const std::function<std::string(const Placeholder&)>& replace) {
   std::string result;
   for (std::size_t at = 0; at < word.size(); ++at) {
@@ -82,7 +82,7 @@ std::string replaced(const std::string& word, const std::function<std::string(co
 
 std::string text_of(const Value& value, const Placeholder& placeholder) {
   if (const auto* text = std::get_if<std::string>(&value)) {
-    if (placeholder.scaled) throw UsageError("{" + placeholder.name + "} is no number that could be multiplied");
+    if (placeholder.scaled) throw UsageError("{" + placeholder.name + "} is a text and cannot be multiplied");
     return *text;
   }
   if (const auto* whole = std::get_if<long long>(&value)) {

@@ -1,4 +1,4 @@
-// What goes to an external program and what comes back: files, formats and frames.
+// What an external program gets and what it returns: files, formats and frames.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@
 
 namespace isobench::external {
 
-/// Names of the files that a program can be given and of the one that it gives, in the folder that it works in.
+/// The parameters that name files in the program's working folder: three that it can get, and the one that it writes.
 inline constexpr const char* file_parameters[] = {"volume", "mesh", "sizing", "output"};
 
-/// Every name that a placeholder may have.
+/// The names of all placeholders.
 std::vector<std::string> known_placeholders();
 
-/// Writes the files that are named among `wanted` into `folder` and gives a value for each placeholder of `wanted`; the
-/// sizing field and the marching-cubes mesh are made where one of these asks for it, and not otherwise. Stage "hand
-/// over".
+/// A value for each placeholder in `wanted`. Writes the files among them to `folder`. Computes the sizing field and the
+/// marching-cubes mesh only if a placeholder needs them. Stage "hand over".
 std::map<std::string, Value> hand_over(const MeshingTask& task, const std::vector<std::string>& wanted,
                                        const std::filesystem::path& folder, Monitor& monitor);
 
-/// The mesh that a program left in `path`, in the lattice frame and facing outwards; points are closed to one. Stages
-/// "read" and, for points, "close". Throws DataError for a file that is no such mesh or set of points.
+/// Reads the mesh or the points that the program wrote to `path`. Returns a mesh in the lattice frame that faces
+/// outwards; points are triangulated. Stages "read" and, for points, "close". Throws DataError if the file holds
+/// neither.
 TriangleMesh take_back(const MeshingTask& task, const std::filesystem::path& path, Monitor& monitor);
 
 /// How many threads this process may use.

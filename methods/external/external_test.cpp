@@ -1,9 +1,10 @@
-// Programs of a few lines of shell stand for the programs of the world.
+// Scripts of a few lines stand in for external programs.
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/external/exchange.h"
 #include "isobench/methods/external/program.h"
@@ -17,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using Settings = std::map<std::string, std::string>;
 
-/// A sphere on a lattice that is turned, mirrored and far from the world's origin.
+/// A sphere on a lattice that is rotated, mirrored and far from the origin of the world.
 Isosurface mirrored_sphere() {
-  Volume volume = sample_phantom(phantom("sphere"), 24);
+  FloatVolume volume = sample_phantom(phantom("sphere"), 24);
   volume.lattice.direction << 0, 0, 1, 1, 0, 0, 0, -1, 0;
   volume.lattice.origin = {100.0, -50.0, 7.0};
   for (float& sample : volume.samples) sample += 10.0F;
@@ -56,9 +57,7 @@ Trial run(const std::string& script, Settings settings = {}, const std::string& 
   } catch (const Error& error) {
     result.error = error.what();
   }
-  std::ostringstream log;
-  log << std::ifstream(folder.path() / "run" / "external.txt").rdbuf();
-  result.log = log.str();
+  result.log = read_text_or_empty(folder.path() / "run" / "external.txt");
   for (const std::string& note : monitor.notes()) result.notes += note + "\n";
   result.counters = monitor.counters();
   result.program_memory_mb = monitor.program_memory_mb();
@@ -80,7 +79,7 @@ void expect_the_sphere(const TriangleMesh& mesh, const std::string& what) {
   const Isosurface surface = mirrored_sphere();
   for (const Eigen::Vector3d& x : mesh.vertices) {
     const Jet jet = surface.value_gradient(x);
-    // STL keeps seven digits, at 100 mm from the origin.
+    // STL has single precision, and the sphere is 100 mm from the origin.
     ASSERT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-4) << what;
   }
 }
@@ -98,7 +97,7 @@ TEST(External, AMeshComesBackAsItWentInEveryFormatAndFrame) {
 }
 
 TEST(External, AnOutputInAnotherFrameIsBroughtHome) {
-  // Handed over in the lattice frame; the program answers in nodes, or in the world's coordinates.
+  // The program gets the lattice frame and answers in node numbers or in world coordinates.
   const Isosurface surface = mirrored_sphere();
   Monitor monitor;
   const TestFolder folder;
@@ -116,7 +115,7 @@ TEST(External, AnOutputInAnotherFrameIsBroughtHome) {
 }
 
 TEST(External, AMeshInsideOutIsTurned) {
-  // The corners of each triangle in reverse.
+  // Reverses the corners of each triangle.
   const Trial made = run("awk '/^f /{print $1, $4, $3, $2; next} {print}' \"$1\" > \"$2\"",
                          {{"mesh", "mesh.obj"}, {"output", "output.obj"}});
   EXPECT_EQ(made.error, "");
@@ -125,7 +124,7 @@ TEST(External, AMeshInsideOutIsTurned) {
 }
 
 TEST(External, BarePointsAreProjectedAndClosed) {
-  // Vertices of the marching-cubes mesh, rounded and one of them twice.
+  // Prints the vertices of the marching-cubes mesh, rounded, one of them twice.
   const std::string script =
       "awk '/^v /{printf \"%.2f %.2f %.2f\\n\", $2, $3, $4} END {printf \"%.2f %.2f %.2f\\n\", $2, $3, $4}' \"$1\" | "
       "grep -v '^0.00 0.00' > \"$2\"; head -n 1 \"$2\" > first; cat first >> \"$2\"";
@@ -162,13 +161,13 @@ TEST(External, EveryPlaceholderHasItsValueAndFilesAreThere) {
   EXPECT_EQ(made.left_behind, std::vector<std::string>{"external.txt"});
 }
 
-TEST(External, WhatTheProgramWorkedOnStaysWhereThatIsAskedFor) {
+TEST(External, TheWorkingFolderIsKeptIfAskedFor) {
   const Trial made = run("cp \"$1\" \"$2\"", {{"keep", "true"}});
   EXPECT_EQ(made.left_behind, (std::vector<std::string>{"external", "external.txt", "mesh.ply", "output.ply"}));
 }
 
 TEST(External, TimeAndMemoryOfTheProgramAreBooked) {
-  // Twenty megabytes of text, in a process of the program's own.
+  // A child of the program holds twenty megabytes of text.
   const Trial made =
       run("cp \"$1\" \"$2\"; sh -c 'x=$(head -c 20000000 /dev/zero | tr \"\\0\" x); sleep 0.6; echo ${#x}'");
   EXPECT_EQ(made.error, "");
@@ -177,7 +176,7 @@ TEST(External, TimeAndMemoryOfTheProgramAreBooked) {
   EXPECT_GT(made.counters.at("external/program seconds"), 0.5);
 }
 
-TEST(External, ADefectOfTheProgramIsSaidWithItsLastWords) {
+TEST(External, AFailureOfTheProgramIsReportedWithTheEndOfItsLog) {
   struct Defect {
     std::string script;
     std::string part;
@@ -185,10 +184,9 @@ TEST(External, ADefectOfTheProgramIsSaidWithItsLastWords) {
   const std::vector<Defect> defects = {
       {"echo out of luck; exit 3", "sh ended with exit code 3; its log ends: out of luck"},
       {"kill -SEGV $$", "sh ended by SIGSEGV"},
-      {"echo done", "ended well but wrote no output.ply in the folder that it ran in; its log ends: done"},
-      {"cp \"$1\" elsewhere.ply",
-       "wrote no output.ply in the folder that it ran in; what it wrote there: elsewhere.ply"},
-      {"mkdir \"$2\"", "wrote no output.ply"},
+      {"echo done", "succeeded but did not write output.ply in its working folder; its log ends: done"},
+      {"cp \"$1\" elsewhere.ply", "did not write output.ply in its working folder; it wrote elsewhere.ply there"},
+      {"mkdir \"$2\"", "did not write output.ply"},
       {": > \"$2\"", "output.ply: the file is empty"},
       {"head -c 2000 \"$1\" > \"$2\"", "output.ply: "},
       {"printf 'ply\\nformat ascii 1.0\\nelement vertex 1\\nproperty float x\\nproperty float y\\nproperty float z\\n"

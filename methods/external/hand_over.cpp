@@ -19,7 +19,7 @@ double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
   return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
 }
 
-// Makes what the placeholders stand for when the first of them asks for it.
+// Computes what placeholders stand for, once and only when one of them needs it.
 class Offer {
  public:
   Offer(const MeshingTask& task, Monitor& monitor) : task_(task), monitor_(monitor) {}
@@ -43,7 +43,7 @@ class Offer {
     return sum;
   }
 
-  // As many as nearly equilateral triangles of the sizing's edge length have: the inverse of edge_length_for().
+  // The number of vertices of a mesh of nearly equilateral triangles with edges of length h; inverts edge_length_for().
   double vertices() {
     if (task_.sizing.vertices) return *task_.sizing.vertices;
     const TriangleMesh& mesh = lattice_mesh();
@@ -66,7 +66,7 @@ class Offer {
 
 bool in_world(const MeshingTask& task) { return task.parameters.text("frame") == "world"; }
 
-// The lattice as the program is to see it.
+// The lattice in the frame that the program gets.
 Lattice lattice_for(const MeshingTask& task) {
   const Lattice& lattice = task.surface.lattice();
   if (in_world(task)) return lattice;
@@ -88,9 +88,9 @@ void fill_slab(const MeshingTask& task, int k, std::vector<float>& slab) {
   }
 }
 
-// In the data's own units: f is ±(F − c).
-Volume volume_for(const MeshingTask& task) {
-  Volume volume{lattice_for(task), {}};
+// In the units of the data: f is ±(F − c).
+FloatVolume volume_for(const MeshingTask& task) {
+  FloatVolume volume{lattice_for(task), {}};
   volume.samples.reserve(volume.lattice.nodes());
   const double sign = task.surface.inside() == Inside::above ? 1.0 : -1.0;
   std::vector<float> slab;
@@ -103,8 +103,8 @@ Volume volume_for(const MeshingTask& task) {
   return volume;
 }
 
-Volume sizing_for(const MeshingTask& task, const SizingField& sizing) {
-  Volume volume{lattice_for(task), {}};
+FloatVolume sizing_for(const MeshingTask& task, const SizingField& sizing) {
+  FloatVolume volume{lattice_for(task), {}};
   const Lattice& lattice = task.surface.lattice();
   volume.samples.reserve(lattice.nodes());
   for (int k = 0; k < lattice.size[2]; ++k) {
@@ -117,7 +117,7 @@ Volume sizing_for(const MeshingTask& task, const SizingField& sizing) {
   return volume;
 }
 
-// The file's name; the file is there then.
+// Writes the file and returns its name.
 std::string write_file(const MeshingTask& task, const std::string& kind, Offer& offer, const fs::path& folder) {
   const std::string& name = task.parameters.text(kind);
   if (kind == "volume") write_volume(volume_for(task), folder / name);

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 
+#include "isobench/foundation/files/scratch_folder.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/names.h"
-#include "isobench/foundation/processes.h"
 #include "isobench/methods/external/command_line.h"
 #include "isobench/methods/external/exchange.h"
 #include "isobench/methods/external/program.h"
@@ -21,16 +21,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* log_name = "external.txt";
 
-// Where a run has its files: a folder to work in, which goes afterwards, and a log, which stays where something stays.
+// The files of a run: the folder in which the program works, and the log. The run's folder `kept_in` keeps the log, and
+// keeps the program's folder if `keep` is set. Without such a folder everything is removed.
 class Workplace {
  public:
   Workplace(const fs::path& kept_in, bool keep) : keep_(keep && !kept_in.empty()) {
-    if (kept_in.empty()) {
-      std::string name = (fs::temp_directory_path() / "isobench-external-XXXXXX").string();
-      if (mkdtemp(name.data()) == nullptr) throw Error(name + ": no folder can be made there");
-      own_ = name;
-    }
-    const fs::path& home = kept_in.empty() ? own_ : kept_in;
+    if (kept_in.empty()) scratch_.emplace(fs::temp_directory_path(), "isobench-external-");
+    const fs::path& home = kept_in.empty() ? scratch_->path() : kept_in;
     log_ = home / log_name;
     folder_ = home / (keep_ ? "external" : ".external");
     fs::remove_all(folder_);
@@ -39,40 +36,36 @@ class Workplace {
   ~Workplace() {
     std::error_code ignored;
     if (!keep_) fs::remove_all(folder_, ignored);
-    if (!own_.empty()) fs::remove_all(own_, ignored);
   }
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
   const fs::path& folder() const { return folder_; }
   const fs::path& log() const { return log_; }
-  bool log_stays() const { return own_.empty(); }
+  bool log_stays() const { return !scratch_; }
 
  private:
-  fs::path own_;  // where nothing is to stay
+  std::optional<ScratchFolder> scratch_;  // if nothing is kept
   fs::path folder_;
   fs::path log_;
   bool keep_;
 };
 
-std::string how_it_ended(const ProgramEnd& end) {
-  return end.signal != 0 ? "ended by " + signal_name(end.signal) : fmt::format("ended with exit code {}", end.code);
-}
-
-// One program with its command and its end in the log; what it said, for a message.
+// How a program ended, and the last lines of what it printed.
 struct Logged {
   ProgramEnd end;
   std::string tail;
 };
 
+// Runs a program; the log gets its command line before its output and its end after it.
 Logged run_logged(const std::vector<std::string>& words, const Workplace& place, std::size_t lines, Monitor& monitor) {
   std::ofstream(place.log(), std::ios::app) << "$ " << joined(words) << '\n' << std::flush;
   const std::uintmax_t begin = fs::file_size(place.log());
   Logged logged;
   logged.end = run_program({words, place.folder(), place.log(), threads_in_use()}, monitor);
-  logged.tail = last_lines(place.log(), begin, lines);
+  logged.tail = last_lines(place.log(), lines, begin);
   std::ofstream(place.log(), std::ios::app)
-      << fmt::format("[{}, {:.3f} s]\n", how_it_ended(logged.end), logged.end.seconds);
+      << fmt::format("[{}, {:.3f} s]\n", to_string(logged.end.exit), logged.end.seconds);
   return logged;
 }
 
@@ -82,10 +75,10 @@ void note_version(const MeshingTask& task, const Workplace& place, Monitor& moni
   std::string version = "unknown";
   try {
     const Logged logged = run_logged(words, place, 1, monitor);
-    if (logged.end.code == 0 && logged.end.signal == 0 && !logged.tail.empty()) version = logged.tail;
+    if (logged.end.exit.succeeded() && !logged.tail.empty()) version = logged.tail;
   } catch (const Cancelled&) {
     throw;
-  } catch (const Error&) {  // the run itself does not hang on it
+  } catch (const Error&) {  // a mesh of an unknown version is still a mesh
   }
   monitor.note("external: version " + version);
 }
@@ -103,18 +96,18 @@ std::string files_in(const fs::path& folder, const std::vector<std::string>& kno
 
 std::string log_text(const Logged& logged) { return logged.tail.empty() ? "" : "; its log ends: " + logged.tail; }
 
-// Throws unless the program ended well and left the file that it was to leave.
+// The file that the program had to write. Throws Error if the program failed or did not write it.
 fs::path output_of(const MeshingTask& task, const Workplace& place, const std::string& program, const Logged& logged) {
-  if (logged.end.signal != 0 || logged.end.code != 0) {
-    throw Error(program + " " + how_it_ended(logged.end) + log_text(logged));
+  if (!logged.end.exit.succeeded()) {
+    throw Error(program + " " + to_string(logged.end.exit) + log_text(logged));
   }
   const std::string& name = task.parameters.text("output");
   if (fs::is_regular_file(place.folder() / name)) return place.folder() / name;
   std::vector<std::string> ours = {name};
   for (const char* file : file_parameters) ours.push_back(task.parameters.text(file));
   const std::string others = files_in(place.folder(), ours);
-  throw Error(fmt::format("{} ended well but wrote no {} in the folder that it ran in{}{}", program, name,
-                          others.empty() ? "" : "; what it wrote there: " + others, log_text(logged)));
+  throw Error(fmt::format("{} succeeded but did not write {} in its working folder{}{}", program, name,
+                          others.empty() ? "" : "; it wrote " + others + " there", log_text(logged)));
 }
 
 std::vector<std::string> placeholders(const std::vector<std::string>& words) {
@@ -131,7 +124,7 @@ std::vector<std::string> placeholders(const std::vector<std::string>& words) {
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   std::vector<std::string> words = split_words(task.parameters.text("command"));
   if (words.empty()) throw UsageError("external needs a command");
-  find_program(words.front());  // before any work is done for it
+  find_program(words.front());  // throws before any work is done for the program
   const Workplace place(monitor.files(), task.parameters.flag("keep"));
   note_version(task, place, monitor);
   const std::map<std::string, Value> values = hand_over(task, placeholders(words), place.folder(), monitor);
@@ -149,7 +142,7 @@ TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   return take_back(task, output_of(task, place, words.front(), logged), monitor);
 }
 
-// What is wrong with a command line, as far as that shows before it is run.
+// What is wrong with a command line, as far as can be told without running it; "" if nothing is.
 std::string command_problem(const std::string& text) {
   try {
     const std::vector<std::string> words = split_words(text);
@@ -183,7 +176,7 @@ std::string name_problem(const std::string& name) {
     if (ending == *one) return "";
     known += (known.empty() ? "" : ", ") + std::string(*one);
   }
-  return "'" + name + "' has none of the endings that tell a format: " + known;
+  return "'" + name + "' must have one of these endings: " + known;
 }
 
 constexpr const char* volume_endings[] = {".nrrd", ".vti", nullptr};
@@ -208,22 +201,25 @@ ParameterSchema schema() {
   ParameterSpec command{"command", std::string(), "", "the program and its arguments, with {placeholders}"};
   command.required = true;
   command.problem = command_problem;
-  ParameterSpec version{"version", std::string(), "", "a command whose last line of output is the program's version"};
+  ParameterSpec version{"version", std::string(), "",
+                        "a command that prints the version of the program as its last line"};
   version.problem = version_problem;
-  return {command,
-          version,
-          file("volume", "volume.nrrd", "file of {volume}, NRRD or VTI", name_problem<volume_endings>),
-          choice("values", {"coefficients", "nodes", "samples"},
-                 "of the volume: the spline's coefficients, F at the nodes, or the samples as they are"),
-          file("mesh", "mesh.ply", "file of {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
-          file("sizing", "sizing.nrrd", "file of {sizing}, h at the nodes in mm", name_problem<volume_endings>),
-          choice("frame", {"lattice", "world"}, "of what is handed over"),
-          file("output", "output.ply", "file of {output}, the mesh or points that the program writes",
-               name_problem<output_endings>),
-          choice("returns", {"mesh", "points"}, "what the output is; .nrrd, .nhdr, .xyz and .txt always hold points"),
-          choice("output_frame", {"same", "lattice", "world", "index"}, "of the output"),
-          {"project", false, "", "project the vertices that come back to F = c"},
-          {"keep", false, "", "leave the folder that the program worked in, \"external\", with the run"}};
+  return {
+      command,
+      version,
+      file("volume", "volume.nrrd", "name of the file {volume}, NRRD or VTI", name_problem<volume_endings>),
+      choice("values", {"coefficients", "nodes", "samples"},
+             "what the volume contains: the coefficients of the spline, F at the nodes, or the prepared samples"),
+      file("mesh", "mesh.ply", "name of the file {mesh}, the marching-cubes mesh of F = c", name_problem<mesh_endings>),
+      file("sizing", "sizing.nrrd", "name of the file {sizing}, h at the nodes in mm", name_problem<volume_endings>),
+      choice("frame", {"lattice", "world"}, "frame of the files that the program gets"),
+      file("output", "output.ply", "name of the file {output}, the mesh or points that the program writes",
+           name_problem<output_endings>),
+      choice("returns", {"mesh", "points"},
+             "what the output contains; .nrrd, .nhdr, .xyz and .txt always contain points"),
+      choice("output_frame", {"same", "lattice", "world", "index"}, "frame of the output; same: that of `frame`"),
+      {"project", false, "", "project the vertices of the output to F = c"},
+      {"keep", false, "", "keep the working folder of the program, \"external\", with the run"}};
 }
 
 }  // namespace
@@ -243,8 +239,7 @@ bool returns_points(const Parameters& parameters) {
 Method method_external() {
   Method method;
   method.name = "external";
-  method.summary =
-      "Any program, given F as a volume or as a marching-cubes mesh, and the mesh or points that it writes";
+  method.summary = "Any program: it gets F as a volume or as a marching-cubes mesh, and writes a mesh or points";
   method.deterministic = false;
   method.parameters = external::schema();
   method.mesh = external::mesh;

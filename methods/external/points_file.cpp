@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "isobench/datasets/formats/readers.h"
 #include "isobench/datasets/formats/sample_data.h"
+#include "isobench/foundation/text.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"
 
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Points = std::vector<Eigen::Vector3d>;
 
-Points read_text(const fs::path& path) {
+Points read_text_points(const fs::path& path) {
   const std::string bytes = read_bytes(path);
   TextLines lines(bytes, path);
   Points points;
@@ -29,16 +29,16 @@ Points read_text(const fs::path& path) {
   return points;
 }
 
-/// Of one array of two axes.
+/// The header of an array of two axes.
 struct ArrayHeader {
   std::map<std::string, std::string> fields;
-  std::size_t row = 0;    ///< numbers a point
+  std::size_t row = 0;    ///< numbers per point
   std::size_t count = 0;  ///< points
 };
 
 std::size_t whole(double number, const fs::path& path) {
   if (!(number >= 1.0 && number < 1e10) || number != std::floor(number)) {
-    bad_mesh(path, fmt::format("{} is no number of points or of their coordinates", number));
+    bad_mesh(path, fmt::format("{} is neither a number of points nor a number of coordinates", number));
   }
   return static_cast<std::size_t>(number);
 }
@@ -63,11 +63,11 @@ ArrayHeader read_header(ByteReader& reader) {
   const std::vector<double> sizes = numbers_in(header.fields["sizes"], 2, path, "sizes");
   header.row = whole(sizes[0], path);
   header.count = whole(sizes[1], path);
-  if (header.row < 3 || header.row > 64) bad_mesh(path, fmt::format("{} numbers are no point", header.row));
+  if (header.row < 3 || header.row > 64) bad_mesh(path, fmt::format("a point cannot have {} numbers", header.row));
   return header;
 }
 
-// Point by point, so that memory is taken as they arrive.
+// Point by point, so that a header that lies about the number of points cannot claim memory.
 Points read_rows(ByteReader& reader, const ArrayHeader& header, SampleType type, ByteOrder order) {
   const std::size_t bytes = header.row * bytes_of(type);
   Points points;
@@ -92,7 +92,7 @@ Points read_text_rows(ByteReader& reader, const ArrayHeader& header) {
     std::istringstream words(line);
     for (std::string word; words >> word && points.size() < header.count;) {
       const std::optional<double> number = to_number(word);
-      if (!number) bad_mesh(reader.path(), fmt::format("'{}' stands where a number should", word));
+      if (!number) bad_mesh(reader.path(), fmt::format("expected a number, found '{}'", word));
       row.push_back(*number);
       if (row.size() < header.row) continue;
       points.emplace_back(row[0], row[1], row[2]);
@@ -124,19 +124,13 @@ Points read_nrrd_points(const fs::path& path) {
   return read_rows(body, header, *type, header.fields["endian"] == "big" ? ByteOrder::big : ByteOrder::little);
 }
 
-std::string lower_ending(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
-
 }  // namespace
 
 Points read_points(const fs::path& path) {
-  const std::string ending = lower_ending(path);
+  const std::string ending = lower_case(path.extension().string());
   Points points;
   if (ending == ".nrrd" || ending == ".nhdr") points = read_nrrd_points(path);
-  if (ending == ".xyz" || ending == ".txt") points = read_text(path);
+  if (ending == ".xyz" || ending == ".txt") points = read_text_points(path);
   if (ending == ".ply") points = read_ply(path).vertices;
   if (ending == ".off") points = read_off(path).vertices;
   if (ending == ".obj") points = read_obj(path).vertices;

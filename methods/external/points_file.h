@@ -1,4 +1,4 @@
-// A bare set of points from a file.
+// Reads sets of points without triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,10 +7,12 @@
 
 namespace isobench::external {
 
-/// Reads points, in the file's own frame and order: from NRRD (.nrrd, .nhdr: 3 or more numbers a point, the first three
-/// its place, along the fast axis of two), text (.xyz, .txt: a line a point, its first three numbers the place), or the
-/// vertices of a mesh file, with or without triangles (.ply, .off, .obj, .vtp). Throws DataError, naming the file, for
-/// one that is missing, damaged, empty or not of these, and for coordinates that are not finite.
+/// Reads points in the frame and the order of the file. The ending of its name tells the format:
+///   .nrrd, .nhdr           an array of two axes; the fast axis has 3 or more numbers per point, coordinates first
+///   .xyz, .txt             text, one point per line, coordinates first
+///   .ply, .off, .obj, .vtp the vertices of a mesh, with or without triangles
+/// Throws DataError with the name of the file if it is missing, damaged, empty or of another format, and for
+/// coordinates that are not finite.
 std::vector<Eigen::Vector3d> read_points(const std::filesystem::path& path);
 
 }  // namespace isobench::external

@@ -24,7 +24,7 @@ TEST(PointsFile, EveryFormatGivesTheSamePoints) {
       folder.write("a.nrrd", header + "raw\n\n" + raw),
       folder.write("b.nrrd", header + "ascii\n\n1 2 3 0\n0.1 -2.5 1000 0\n"),
       folder.write("c.nhdr", header + "raw\ndata file: apart.raw\n"),
-      folder.write("d.xyz", "# two points\n1 2 3\n0.1 -2.5 1e3 the rest is passed over\n"),
+      folder.write("d.xyz", "# two points\n1 2 3\n0.1 -2.5 1e3 the rest is ignored\n"),
       folder.write("e.txt", "1 2 3\n\n0.1 -2.5 1000\n"),
       folder.write("f.ply", ply + "1 2 3\n0.1 -2.5 1000\n"),
       folder.write("g.obj", "v 1 2 3\nv 0.1 -2.5 1000\n"),
@@ -48,7 +48,7 @@ TEST(PointsFile, WhatIsNoSetOfPointsIsRefusedByName) {
       {folder.write("bz.nrrd", header + "bzip2\n\n"), "bzip2"},
       {folder.write("3d.nrrd", "NRRD0001\ntype: float\ndimension: 3\nsizes: 1 1 1\nencoding: raw\n\n1234"), "two axes"},
       {folder.write("flat.nrrd", "NRRD0001\ntype: float\ndimension: 2\nsizes: 2 1\nencoding: raw\n\n12345678"),
-       "no point"},
+       "a point cannot have 2 numbers"},
       {folder.write("half.nrrd", "NRRD0001\ntype: float\nencoding: raw\n\n"), "'dimension'"}};
   for (const auto& [path, part] : bad) {
     try {

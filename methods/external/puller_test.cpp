@@ -1,10 +1,8 @@
-// The worked examples of README.md, read from there.
+// Reads the worked examples from README.md and runs one of them.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/toml.h"
 #include "isobench/methods/external/program.h"
 #include "isobench/methods/mesh/mesh_facts.h"
@@ -13,15 +11,9 @@
 namespace isobench {
 namespace {
 
-std::string page() {
-  std::ostringstream text;
-  text << std::ifstream(ISOBENCH_EXTERNAL_README).rdbuf();
-  return text.str();
-}
-
-/// The parameters of every [[method]] that the page shows, by label.
+/// The parameters of every [[method]] in README.md, by label.
 std::map<std::string, Parameters> examples() {
-  const std::string text = page();
+  const std::string text = read_text(ISOBENCH_EXTERNAL_README);
   const ParameterSchema& schema = method("external").parameters;
   std::map<std::string, Parameters> found;
   for (std::size_t at = text.find("```toml\n"); at != std::string::npos; at = text.find("```toml\n", at + 1)) {
@@ -49,11 +41,7 @@ TEST(Puller, TheExamplesOfThePageAreValid) {
 }
 
 TEST(Puller, MeshesThePhantomAsThePageSays) {
-  try {
-    external::find_program("teem-puller");
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what() << " (Debian's package teem-apps)";
-  }
+  if (!has_program("teem-puller")) GTEST_SKIP() << "teem-puller is not installed (package teem-apps)";
   const Phantom p = phantom("torus");
   const Isosurface surface(sample_phantom(p, 48), 0.0);
   SizingRequest request;
@@ -64,11 +52,12 @@ TEST(Puller, MeshesThePhantomAsThePageSays) {
   EXPECT_EQ(facts.euler, 0);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.nonmanifold_edges, 0U);
-  // Some particles are lost as they find no way to the surface.
+  // The puller drops particles that do not reach the surface.
   EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 1500.0, 150.0);
   for (const Eigen::Vector3d& x : mesh.vertices) {
     const Jet jet = surface.value_gradient(x);
-    // Its own criterion for being on the surface: a ten-thousandth of a voxel; sixfold for the sum of its steps.
+    // The puller stops within a ten-thousandth of a voxel of the surface; ten times that leaves room for its last
+    // steps.
     ASSERT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-3 * surface.voxel());
   }
 }

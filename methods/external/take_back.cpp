@@ -32,7 +32,7 @@ void bring_home(TriangleMesh& mesh, Frame frame, const Lattice& lattice) {
   }
 }
 
-// Moves each point to F = c; one that finds no way there stays.
+// Projects each point to F = c; a point whose projection fails stays where it is.
 void project(Points& points, const Isosurface& surface, Monitor& monitor) {
   std::vector<double> moved(points.size(), -1.0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()), [&](const auto& range) {
@@ -57,7 +57,7 @@ void project(Points& points, const Isosurface& surface, Monitor& monitor) {
                            sum / projected, most));
 }
 
-// Two points in one place are one vertex.
+// Drops every point that has the coordinates of an earlier one.
 void drop_repeated(Points& points, Monitor& monitor) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
@@ -88,8 +88,8 @@ TriangleMesh closed(Points points, const Isosurface& surface, Monitor& monitor) 
   return mesh;
 }
 
-// Programs differ in which way round their triangles go, and in what they take for inside: a component most of which
-// faces inwards is turned as a whole.
+// Programs differ in the orientation of triangles and in which side they call inside. So turn each component of which
+// the larger part of the area faces inwards.
 void face_outwards(TriangleMesh& mesh, const Isosurface& surface, Monitor& monitor) {
   const std::vector<std::uint32_t> roots = component_roots(mesh);
   std::map<std::uint32_t, double> outward;  // area that faces outwards less area that faces inwards, by component

@@ -20,21 +20,21 @@ TriangleMesh mesh_of(const Isosurface& surface) {
 
 TEST(FlyingEdgesTest, PhantomsAreClosedAndOutwardAndMeetTheirFigures) {
   for (const Phantom& p : phantoms()) {
-    // Chords of rims of 1 mm take as much off on the finer lattice as those of the slab's do on the other.
+    // thin-sheets has rims of 1 mm, which the chords of triangles shorten most: it needs the finer lattice.
     const int nodes = p.name == "thin-sheets" ? 160 : 100;
     const MeshFacts facts = mesh_facts(mesh_of(Isosurface(sample_phantom(p, nodes), 0.0)));
     EXPECT_EQ(facts.open_edges, 0U) << p.name;
     EXPECT_EQ(facts.euler, p.euler) << p.name;
     EXPECT_EQ(facts.components, static_cast<std::size_t>(p.components)) << p.name;
     EXPECT_GT(facts.volume, 0.0) << p.name;
-    // Not the spline: nothing but the chords of half-millimetre triangles makes it smaller.
+    // No spline is involved: only the chords of triangles of half a millimetre make volume and area smaller.
     EXPECT_NEAR(facts.volume / p.volume.value_or(facts.volume), 1.0, 0.002) << p.name;
     EXPECT_NEAR(facts.area / p.area.value_or(facts.area), 1.0, 0.002) << p.name;
   }
 }
 
 TEST(FlyingEdgesTest, InsideBelowTurnsTheMeshAround) {
-  const Volume volume = sample_phantom(phantom("torus"), 50);
+  const FloatVolume volume = sample_phantom(phantom("torus"), 50);
   const MeshFacts above = mesh_facts(mesh_of(Isosurface(volume, 0.0, Inside::above)));
   const MeshFacts below = mesh_facts(mesh_of(Isosurface(volume, 0.0, Inside::below)));
   EXPECT_GT(above.volume, 0.0);
@@ -42,7 +42,7 @@ TEST(FlyingEdgesTest, InsideBelowTurnsTheMeshAround) {
 }
 
 TEST(FlyingEdgesTest, VerticesAreOnLatticeEdgesWhereTheSamplesInterpolateToTheIsovalue) {
-  Volume volume = sample_phantom(phantom("ellipsoid"), 40);
+  FloatVolume volume = sample_phantom(phantom("ellipsoid"), 40);
   volume.lattice.spacing = {0.7, 1.0, 1.9};
   const Isosurface surface(volume, 1.5);
   const Lattice& l = volume.lattice;

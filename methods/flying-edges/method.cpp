@@ -1,4 +1,5 @@
-// VTK's flying edges: marching cubes of the samples themselves, linear along lattice edges, as most people mesh.
+// VTK's flying edges: marching cubes on the samples, with linear interpolation along lattice edges, as most programs
+// do.
 #include "isobench/methods/method.h"
 
 #include <tbb/parallel_for.h>
@@ -18,8 +19,8 @@
 namespace isobench {
 namespace {
 
-/// The samples, ±(sample − c), on a unit lattice: VTK's points are floats, so lengths in mm
-/// are better applied afterwards, in double. That leaves them right to about 3e-5 voxel.
+/// The values ±(sample − c) on a lattice of unit spacing. VTK's points are floats: on a unit lattice they are accurate
+/// to about 3e-5 voxel, and the spacing in mm is applied afterwards in double.
 vtkNew<vtkImageData> image_of(const Isosurface& surface) {
   const auto& size = surface.lattice().size;
   vtkNew<vtkImageData> image;
@@ -57,8 +58,9 @@ TriangleMesh mesh_of(vtkPolyData& polygons, const Eigen::Vector3d& spacing) {
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   const std::string note =
-      "flying-edges: triangles of the lattice's size through the samples, trilinear, not through the spline's F = c";
-  monitor.note(is_empty(task.sizing) ? note : note + "; the sizing that was asked for has no effect");
+      "flying-edges: meshes the trilinear interpolant of the samples, not the spline's F = c, with triangles of the "
+      "lattice's size";
+  monitor.note(is_empty(task.sizing) ? note : note + "; the requested sizing has no effect");
   vtkNew<vtkFlyingEdges3D> flying_edges;
   flying_edges->SetInputData(image_of(task.surface));
   flying_edges->SetValue(0, 0.0);
@@ -80,9 +82,8 @@ Method method_flying_edges() {
   Method method;
   method.name = "flying-edges";
   method.summary =
-      "VTK's flying edges (Schroeder, Maynard, Geveci 2015): marching cubes on the samples, trilinear, at the "
-      "lattice's "
-      "own size whatever the sizing";
+      "VTK's flying edges (Schroeder, Maynard, Geveci 2015): marching cubes on the trilinear interpolant of the "
+      "samples; triangles have the lattice's size, any sizing is ignored";
   method.ignores_sizing = true;
   method.mesh = mesh;
   return method;

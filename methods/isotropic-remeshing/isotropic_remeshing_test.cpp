@@ -52,7 +52,7 @@ TEST(IsotropicRemeshing, MeshesSphereTorusAndTwoBodies) {
   }
 }
 
-// A cube's corners given once for each face, and a triangle without area: joined, and dropped.
+// A cube whose faces do not share their corners, and a triangle without area: corners are joined, the triangle dropped.
 TEST(IsotropicRemeshing, JoinsCornersAtOnePlace) {
   TriangleMesh cube;
   const auto face = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
@@ -67,7 +67,7 @@ TEST(IsotropicRemeshing, JoinsCornersAtOnePlace) {
   face({0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0});
   face({0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0});
   face({1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1});
-  cube.triangles.push_back({0, 8, 16});  // one place three times
+  cube.triangles.push_back({0, 8, 16});  // three corners at one point
   const TriangleMesh mesh = isotropic_remeshing::remesh(cube, 0.3, 3);
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);

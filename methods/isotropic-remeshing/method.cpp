@@ -17,7 +17,8 @@ class Remesher {
   TriangleMesh to_length(double edge_length) {
     monitor_.check();
     TriangleMesh mesh = remesh(lattice_mesh_, edge_length, task_.parameters.integer("iterations"));
-    // Not after every move: where the lattice joins sheets that F = c keeps apart, vertices would be torn to and fro.
+    // Project once, at the end. Where the lattice joins sheets that F = c keeps apart, projecting after every move
+    // would pull vertices from one sheet to the other and back.
     std::size_t failed = 0;
     for (Eigen::Vector3d& x : mesh.vertices) {
       const auto foot = task_.surface.project(x);
@@ -29,11 +30,11 @@ class Remesher {
     return mesh;
   }
 
-  /// The length at which the number of vertices comes within 1.5 % of what was asked for: it jumps by a percent from
-  /// one length to the next.
+  /// Varies the length until the number of vertices is within 1.5 % of the requested one. Neighbouring lengths differ
+  /// by about 1 % in it.
   TriangleMesh to_number(double edge_length, double vertices) {
     constexpr double tolerance = 0.015;
-    constexpr double usual = 1.08;  // on spheres and tori, over the length of equilateral triangles as many
+    constexpr double usual = 1.08;  // target length over that of equally many equilateral triangles; spheres and tori
     constexpr int most = 8;
     edge_length *= usual;
     TriangleMesh mesh = to_length(edge_length);
@@ -57,8 +58,8 @@ class Remesher {
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   if (!task.sizing.uniform()) {
     throw Skipped(
-        "isotropic-remeshing: CGAL 5.5 remeshes to one edge length everywhere; ask for edge_length or vertices instead "
-        "of epsilon and delta");
+        "isotropic-remeshing: this method remeshes to one edge length everywhere; ask for edge_length or vertices "
+        "instead of epsilon and delta");
   }
   const double edge_length = task.sizing_field(monitor)->largest();
   Remesher remesher(task, monitor);
@@ -76,10 +77,10 @@ Method method_isotropic_remeshing() {
   Method method;
   method.name = "isotropic-remeshing";
   method.summary =
-      "Marching cubes, then CGAL's isotropic remeshing to one edge length with vertices on F = c (Botsch, Kobbelt "
-      "2004); uniform sizing alone";
+      "Marching cubes, then CGAL's isotropic remeshing to one edge length, then projection of the vertices to F = c "
+      "(Botsch, Kobbelt 2004); uniform sizing only";
   method.parameters = {
-      {"iterations", 5.0, "", "rounds of splitting, collapsing, flipping and moving", 1.0, 100.0, {}, true}};
+      {"iterations", 5.0, "", "rounds of splits, collapses, flips and relaxation", 1.0, 100.0, {}, true}};
   method.mesh = isotropic_remeshing::mesh;
   return method;
 }

@@ -1,4 +1,4 @@
-// Which nodes of a lattice are inside, as one bit a node: what marching cubes needs of a volume.
+// One bit for each lattice node: whether it is inside the object. This is all that marching cubes needs of most nodes.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace isobench {
 
-/// Rows of bits along x, 64 nodes a word; bits beyond a row's end are 0.
+/// Rows of bits along x, 64 nodes a word. Bits beyond the end of a row are 0.
 class LatticeSigns {
  public:
   using Word = std::uint64_t;
 
-  /// f > 0 at every node, from Isosurface::node_values.
+  /// A node is inside if f > 0 in Isosurface::node_values.
   LatticeSigns(const Isosurface& surface, const Monitor& monitor);
 
   int nx() const { return size_[0]; }
@@ -26,17 +26,18 @@ class LatticeSigns {
   int words() const { return words_; }
 
   Word word(int w, int j, int k) const { return w < words_ ? bits_[row(j, k) + static_cast<std::size_t>(w)] : 0; }
-  /// The signs of nodes 64w + 1 … 64w + 64: those of the far ends of x-edges.
+  /// The bits of nodes 64w + 1 … 64w + 64, the far ends of the x-edges that start in word w.
   Word next(int w, int j, int k) const { return word(w, j, k) >> 1 | word(w + 1, j, k) << 63; }
   unsigned bit(int i, int j, int k) const { return word(i / 64, j, k) >> (i % 64) & 1U; }
 
-  /// Which x-, y- and z-edges that start in word w of a row are crossed; j + 1 or k + 1 must exist.
+  /// The x-, y- and z-edges that start in word w of a row and have different signs at their ends. Precondition: row
+  /// j + 1 or slab k + 1 exists.
   Word x_crossings(int w, int j, int k) const { return (word(w, j, k) ^ next(w, j, k)) & edge_mask(w); }
   Word y_crossings(int w, int j, int k) const { return word(w, j, k) ^ word(w, j + 1, k); }
   Word z_crossings(int w, int j, int k) const { return word(w, j, k) ^ word(w, j, k + 1); }
-  /// Which cells that start in word w of a row have corners on both sides.
+  /// The cells that start in word w of a row and have corners on both sides.
   Word crossed_cells(int w, int j, int k) const;
-  /// The signs of a cell's corners in VTK's order of a hexahedron: bit n is corner n.
+  /// The bits of a cell's corners in VTK's order for a hexahedron: bit n is corner n.
   unsigned cell_case(int i, int j, int k) const;
 
  private:
@@ -44,7 +45,7 @@ class LatticeSigns {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(j)) *
            static_cast<std::size_t>(words_);
   }
-  /// All nodes but the row's last have an x-edge and a cell.
+  /// The nodes of word w that start an x-edge and a cell: all but the last node of the row.
   Word edge_mask(int w) const {
     const int left = size_[0] - 1 - 64 * w;
     return left >= 64 ? ~Word{0} : left <= 0 ? Word{0} : (Word{1} << left) - 1;

@@ -15,7 +15,7 @@
 namespace isobench {
 namespace {
 
-/// VTK's triangles of each case, as triples of cell edges.
+/// The triangles of each case of VTK, as triples of cell edges.
 struct Cases {
   std::array<int, 256> triangles{};
   std::array<std::array<int, 15>, 256> edges{};
@@ -35,24 +35,24 @@ const Cases& cases() {
   return table;
 }
 
-/// The vertex numbers of the crossed edges of one slab, by the edge's first node; only crossed edges are ever written
-/// or read, so nothing needs clearing between slabs.
+/// The vertex numbers of the crossed edges of one slab, indexed by the first node of the edge. Only entries of crossed
+/// edges are written or read, so they are not cleared between slabs.
 struct SlabEdges {
   std::vector<std::uint32_t> x, y;
   explicit SlabEdges(std::size_t nodes) : x(nodes), y(nodes) {}
 };
 
-/// How many vertices and triangles the slabs before slab k have; slab k's vertices are those of its x- and y-edges,
-/// row by row, and then those of the z-edges to slab k + 1.
+/// The numbers of vertices and triangles in the slabs before slab k. The vertices of slab k are first those of its x-
+/// and y-edges, row by row, and then those of the z-edges to slab k + 1.
 struct Numbering {
   std::vector<std::size_t> vertices, z_vertices, triangles;
 };
 
-/// A root in [0, 1] of the cubic with these values at 0, 1/3, 2/3 and 1, by Newton steps kept inside a bracket.
+/// A root in [0, 1] of the cubic with these values at 0, 1/3, 2/3 and 1, by Newton steps within a bracket.
 double cubic_root(const std::array<double, 4>& v) {
   if (v[0] == 0.0) return 0.0;
   if (v[3] == 0.0) return 1.0;
-  // node_values rounds to float: an end that close to zero may have the other sign in double. It is the root then.
+  // node_values rounds to float, so an end very close to zero may have the other sign in double. That end is the root.
   if ((v[0] > 0.0) == (v[3] > 0.0)) return std::abs(v[0]) <= std::abs(v[3]) ? 0.0 : 1.0;
   const double a = 4.5 * (v[3] - 3.0 * v[2] + 3.0 * v[1] - v[0]);
   const double b = 4.5 * (2.0 * v[0] - 5.0 * v[1] + 4.0 * v[2] - v[3]);
@@ -85,7 +85,7 @@ class Extractor {
   }
 
  private:
-  /// Counts every slab's vertices and triangles, then turns the counts into first numbers.
+  /// Counts the vertices and triangles of each slab and converts the counts to first numbers.
   void count() {
     const auto slabs = static_cast<std::size_t>(signs_.nz());
     std::vector<std::size_t> plane(slabs, 0), upright(slabs, 0), triangles(slabs, 0);
@@ -131,7 +131,7 @@ class Extractor {
     for_each_plane_edge(k, [&](int axis, int i, int j) { (axis == 0 ? edges.x : edges.y)[node(i, j)] = number++; });
   }
 
-  /// Computes the vertices that slab k owns, and numbers its z-edges.
+  /// Computes the vertices of slab k and numbers its z-edges.
   void place_vertices(int k, const SlabEdges& edges, std::vector<std::uint32_t>& z) {
     for_each_plane_edge(k, [&](int axis, int i, int j) {
       mesh_.vertices[(axis == 0 ? edges.x : edges.y)[node(i, j)]] = root_on_edge(axis, i, j, k);
@@ -146,7 +146,7 @@ class Extractor {
   void add_triangles(int k, const SlabEdges& lower, const SlabEdges& upper, const std::vector<std::uint32_t>& z) {
     std::size_t next = numbering_.triangles[static_cast<std::size_t>(k)];
     for_each_crossed_cell(k, [&](int i, int j) {
-      // VTK's order of a cell's edges.
+      // VTK's order of the edges of a cell.
       const std::size_t n = node(i, j), right = node(i + 1, j), back = node(i, j + 1), across = node(i + 1, j + 1);
       const std::array<std::uint32_t, 12> vertex{lower.x[n], lower.y[right], lower.x[back], lower.y[n],
                                                  upper.x[n], upper.y[right], upper.x[back], upper.y[n],
@@ -160,7 +160,7 @@ class Extractor {
     });
   }
 
-  /// Along a lattice edge f is a cubic polynomial, whichever the kernel: four values determine it.
+  /// Along a lattice edge, f is a cubic polynomial for any kernel, so four values determine it.
   Eigen::Vector3d root_on_edge(int axis, int i, int j, int k) const {
     const Eigen::Vector3d& spacing = surface_.lattice().spacing;
     Eigen::Vector3d x(spacing[0] * i, spacing[1] * j, spacing[2] * k);

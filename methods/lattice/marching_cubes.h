@@ -1,5 +1,5 @@
-// Marching cubes on the lattice of an isosurface, with vertices on F = c itself
-// (Lorensen, Cline 1987; Meyer, Kirby, Whitaker 2007, section 4: the same spline kernels as every other method there).
+// Marching cubes on the lattice of an isosurface, with vertices on F = c itself (Lorensen, Cline 1987). As in Meyer,
+// Kirby, Whitaker 2007, section 4, it uses the same spline kernels as the other methods.
 #pragma once
 
 #include "isobench/datasets/isosurface.h"
@@ -8,15 +8,15 @@
 
 namespace isobench {
 
-/// Meshes f = 0 with one vertex on every lattice edge whose ends have different signs, in the lattice frame (mm),
-/// triangles counter-clockwise from outside. The signs are those of Isosurface::node_values (f > 0 is inside, so a node
-/// exactly on the surface is outside and up to six vertices may coincide in it); the vertex is the root of f along the
-/// edge to 1e-14 of its length, any one of them where f crosses three times.
+/// Meshes f = 0 in the lattice frame (mm), with triangles counter-clockwise from outside and one vertex on every
+/// lattice edge whose ends have different signs. Signs come from Isosurface::node_values: f > 0 is inside. A node
+/// exactly on the surface is outside, and up to six vertices may coincide with it. A vertex is the root of f along its
+/// edge, within 1e-14 of the edge's length; if f has three roots there, it is any one of them.
 ///
-/// Triangles come from VTK's 256-case table, which is consistent across faces: the mesh is closed except where the
-/// object leaves the lattice. Degenerate triangles are kept. The order of vertices and triangles follows the lattice,
-/// so the mesh is the same for any number of threads. Throws Cancelled. Cost: two 3-tap filters a node and four values
-/// of f a vertex; memory: one bit a node, two slabs of values a thread.
+/// Triangles come from VTK's table of 256 cases, which is consistent across faces. So the mesh is closed except where
+/// the object leaves the lattice. Degenerate triangles are kept. The order of vertices and triangles follows the
+/// lattice, so the mesh does not depend on the number of threads. Throws Cancelled. Cost: two 3-tap filters a node and
+/// four evaluations of f a vertex. Memory: one bit a node, and two slabs of values a thread.
 TriangleMesh marching_cubes(const Isosurface& surface, Monitor& monitor);
 
 }  // namespace isobench

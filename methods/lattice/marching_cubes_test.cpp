@@ -23,11 +23,11 @@ TriangleMesh extract(const Isosurface& surface) {
   return marching_cubes(surface, monitor);
 }
 
-/// Random samples inside a border of the other sign: every case of the table, most of them often.
-Volume closed_noise(const std::array<int, 3>& size, const Eigen::Vector3d& spacing = Eigen::Vector3d::Ones()) {
+/// Random samples within a border of the other sign. They include every case of the table, most of them often.
+FloatVolume closed_noise(const std::array<int, 3>& size, const Eigen::Vector3d& spacing = Eigen::Vector3d::Ones()) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
-  Volume v;
+  FloatVolume v;
   v.lattice.size = size;
   v.lattice.spacing = spacing;
   v.samples.assign(v.lattice.nodes(), -1.0F);
@@ -43,7 +43,7 @@ class MarchingCubesPhantom : public testing::TestWithParam<Phantom> {};
 
 TEST_P(MarchingCubesPhantom, IsClosedOutwardAndOfTheRightTopologyAreaAndVolume) {
   const Phantom& p = GetParam();
-  // Rims of 1 mm bend as much a voxel on the finer lattice as those of the slab do on the other.
+  // The finer lattice of the thin sheets gives their rims of 1 mm as many voxels as the rims of the slab have.
   const Isosurface surface(sample_phantom(p, p.name == "thin-sheets" ? 160 : 100), 0.0);
   const MeshFacts facts = mesh_facts(extract(surface));
   EXPECT_EQ(facts.open_edges, 0U);
@@ -52,9 +52,9 @@ TEST_P(MarchingCubesPhantom, IsClosedOutwardAndOfTheRightTopologyAreaAndVolume) 
   EXPECT_EQ(facts.components, static_cast<std::size_t>(p.components));
   EXPECT_GT(facts.volume, 0.0);
   if (!p.area || !p.volume) return;
-  // The spline moves the surface inwards by (k1 + k2) voxel²/6, which takes voxel²/6 ∫(k1 + k2) off the volume and, by
-  // Gauss and Bonnet, voxel²/3 · 2πχ off the area where the sum is even: below 0.6 % and 0.3 % for half-millimetre
-  // voxels; chords of the lattice's size take as much again.
+  // The spline moves the surface inwards by (k1 + k2) voxel²/6. This reduces the volume by voxel²/6 ∫(k1 + k2) and, by
+  // Gauss and Bonnet for a constant k1 + k2, the area by voxel²/3 · 2πχ: less than 0.6 % and 0.3 % at half a millimetre
+  // a voxel. Chords as long as a voxel reduce both by as much again.
   EXPECT_NEAR(facts.volume / *p.volume, 1.0, 0.008);
   EXPECT_NEAR(facts.area / *p.area, 1.0, 0.006);
 }
@@ -70,7 +70,7 @@ TEST(MarchingCubesTest, EveryVertexIsOnTheSurfaceAndOnALatticeEdge) {
   for (const Kernel kernel : {Kernel::bspline, Kernel::catmull_rom}) {
     const Isosurface surface(closed_noise({20, 21, 22}, spacing), 0.05, Inside::above, kernel);
     for (const Eigen::Vector3d& x : extract(surface).vertices) {
-      EXPECT_LT(std::abs(surface.value(x)), 1e-8);  // |∇F| is about 1/voxel, so this is voxels
+      EXPECT_LT(std::abs(surface.value(x)), 1e-8);  // |∇F| is about 1/voxel, so this is in voxels
       int whole = 0;
       for (int axis = 0; axis < 3; ++axis) {
         const double u = x[axis] / spacing[axis];
@@ -83,7 +83,7 @@ TEST(MarchingCubesTest, EveryVertexIsOnTheSurfaceAndOnALatticeEdge) {
 
 TEST(MarchingCubesTest, NoiseIsClosedWithOneVertexACrossedEdge) {
   for (const Inside inside : {Inside::above, Inside::below}) {
-    // More than one word of 64 nodes a row, and not a whole number of them.
+    // More than one word of 64 nodes in a row, and the last word is not full.
     const Isosurface surface(closed_noise({131, 17, 19}), 0.05, inside);
     const TriangleMesh mesh = extract(surface);
     const MeshFacts facts = mesh_facts(mesh);
@@ -148,7 +148,7 @@ TEST(MarchingCubesTest, TheMeshIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(MarchingCubesTest, AnObjectThatLeavesTheLatticeIsOpenThere) {
-  Volume v;
+  FloatVolume v;
   v.lattice.size = {6, 7, 8};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 8; ++k) {
@@ -162,8 +162,8 @@ TEST(MarchingCubesTest, AnObjectThatLeavesTheLatticeIsOpenThere) {
 }
 
 TEST(MarchingCubesTest, NodesExactlyOnTheSurfaceAreOutside) {
-  // f = 4 − |x| − |y| − |z| of Catmull-Rom is 0 at many nodes: their vertices coincide and the mesh stays closed.
-  Volume v;
+  // f = 4 − |x| − |y| − |z| of Catmull-Rom is 0 at many nodes. Vertices coincide there, and the mesh is closed.
+  FloatVolume v;
   v.lattice.size = {13, 13, 13};
   v.samples.resize(v.lattice.nodes());
   for (int k = 0; k < 13; ++k) {
@@ -176,8 +176,8 @@ TEST(MarchingCubesTest, NodesExactlyOnTheSurfaceAreOutside) {
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 2);
-  // One vertex an edge from f = 1 to f = 0: an inside node with n coordinates other than 0 has 6 − n such edges out of
-  // the layer |x| + |y| + |z| = 3: 6 tips with 5, 24 nodes in the planes with 4, 8 in the octants with 3.
+  // One vertex for each edge from f = 1 to f = 0. A node of the layer |x| + |y| + |z| = 3 with n coordinates other than
+  // 0 has 6 − n such edges: 6 tips with 5, 24 nodes in the coordinate planes with 4, 8 nodes in the octants with 3.
   EXPECT_EQ(mesh.vertices.size(), 6U * 5U + 24U * 4U + 8U * 3U);
   EXPECT_EQ(mesh.vertices.front(), Eigen::Vector3d(6.0, 6.0, 2.0));
   EXPECT_NEAR(facts.volume, 4.0 / 3.0 * 64.0, 1e-9);  // the octahedron itself

@@ -1,4 +1,4 @@
-// Which boxes overlap: a tree over boxes in Morton order, four to a node.
+// Finds overlapping boxes: a tree over boxes in Morton order, with four children per node.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -33,8 +33,8 @@ class BoxTree {
 
   std::size_t size() const { return order_.size(); }
 
-  /// Calls f(a, b), both indices of boxes, for the box at a place of the tree's order and each one at a later place
-  /// that overlaps it or touches it: over all places, each pair once. Different places may be asked about in parallel.
+  /// Calls f(a, b) with the indices of two boxes that overlap or touch: a is the box at position `place` of the tree's
+  /// order, b one at a later position. Calls for all positions visit each pair once; they may run in parallel.
   template <typename Function>
   void overlapping_later(std::size_t place, Function&& f) const {
     descend(levels_.size() - 1, 0, place, f);
@@ -51,14 +51,14 @@ class BoxTree {
       return;
     }
     const std::size_t end = std::min((node + 1) * fan, levels_[level - 1].size());
-    // Below a node lie the places from node · fan^level on: what ends before `place` has no later ones.
+    // A node's leaves are the positions from node · fan^level on: skip children that end before `place`.
     for (std::size_t child = std::max(node * fan, place >> (2 * (level - 1))); child < end; ++child) {
       descend(level - 1, child, place, f);
     }
   }
 
-  std::vector<Index> order_;              // place to index
-  std::vector<std::vector<Box>> levels_;  // the boxes themselves, then boxes of `fan` of the level before
+  std::vector<Index> order_;              // by position: the index of the box
+  std::vector<std::vector<Box>> levels_;  // the boxes, then the bounding boxes of `fan` boxes of the level before
 };
 
 }  // namespace isobench

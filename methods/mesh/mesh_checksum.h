@@ -1,4 +1,4 @@
-// One number for a whole mesh.
+// A checksum that tells whether two meshes are equal.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace isobench {
 
-/// SHA-256 over the numbers of vertices and triangles, the coordinates (doubles, bit for bit) and the corners, in their
-/// order; data arrays do not count. Equal for equal meshes on machines of one byte order, and for a mesh read back from
-/// VTP, which keeps doubles.
+/// SHA-256 over the number of vertices, the number of triangles, the coordinates (bit patterns of doubles) and the
+/// corners, in their order. Data arrays are not included. Equal meshes have equal checksums on all machines of one byte
+/// order, also after a round trip through VTP, which stores doubles.
 std::string checksum(const TriangleMesh& mesh);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// What the tests of methods ask of a mesh, from its arrays alone. (Reports have metrics/, which stand above methods.)
+// Figures of a mesh for the tests of methods, which cannot include metrics/: that floor stands above methods/.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,9 +13,9 @@
 namespace isobench {
 
 struct MeshFacts {
-  long euler = 0;                     ///< V − E + F over all vertices, used or not
-  std::size_t components = 0;         ///< of vertices connected over triangles
-  std::size_t open_edges = 0;         ///< edges not run through equally often in both directions: holes, wrong turns
+  long euler = 0;                     ///< V − E + F; V includes unused vertices
+  std::size_t components = 0;         ///< of vertices connected by triangles
+  std::size_t open_edges = 0;         ///< edges not used equally often in both directions: holes, wrong orientation
   std::size_t nonmanifold_edges = 0;  ///< edges of more than two triangles
   double area = 0.0;                  ///< mm²
   double volume = 0.0;                ///< mm³, positive where triangles are counter-clockwise from outside

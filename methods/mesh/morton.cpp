@@ -10,7 +10,7 @@ namespace isobench {
 
 namespace {
 
-/// Two zero bits between any two of the 21 lowest bits.
+/// Inserts two zero bits between any two of the 21 lowest bits.
 std::uint64_t spread(std::uint64_t x) {
   x &= 0x1FFFFF;
   x = (x | x << 32) & 0x1F00000000FFFF;

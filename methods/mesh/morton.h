@@ -1,4 +1,4 @@
-// Morton order: points that are near in space come near in memory.
+// Morton order: points that are close in space become close in memory.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,10 @@
 
 namespace isobench {
 
-/// The points' indices along a Z-curve of 2²¹ cells an axis over their bounding box; those of one cell ascend.
+/// The indices of the points along a Z-curve over their bounding box, with 2²¹ cells along its longest side. Indices of
+/// points in one cell ascend.
 std::vector<std::uint32_t> morton_order(const std::vector<Eigen::Vector3d>& points);
+/// Sorts the points themselves in that order.
 
 void sort_by_morton(std::vector<Eigen::Vector3d>& points);
 

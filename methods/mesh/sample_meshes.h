@@ -1,4 +1,4 @@
-// Meshes with known answers, for the tests of this folder.
+// Meshes with known properties, for tests.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ inline TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
   return result;
 }
 
-/// Both meshes as one, vertices not merged.
+/// Both meshes in one; vertices are not merged.
 inline TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
   const auto offset = static_cast<std::uint32_t>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
@@ -44,7 +44,7 @@ inline TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
   return a;
 }
 
-/// A torus of n × 2n quads around the z axis, radii 2 and 1, cut in two triangles each.
+/// A torus round the z axis with radii 2 and 1: n × 2n quads, each divided into two triangles.
 inline TriangleMesh torus(std::uint32_t n) {
   TriangleMesh result;
   for (std::uint32_t i = 0; i < 2 * n; ++i) {
@@ -81,7 +81,8 @@ inline TriangleMesh moebius_strip(std::uint32_t n) {
   return result;
 }
 
-/// The unit sphere: an icosahedron whose triangles were quartered so many times, vertices put back on the sphere.
+/// The unit sphere: an icosahedron whose triangles are divided into four, `quartered` times, with vertices moved to the
+/// sphere.
 inline TriangleMesh icosphere(int quartered) {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   TriangleMesh result = mesh({{-1, g, 0},

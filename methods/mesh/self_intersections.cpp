@@ -20,7 +20,7 @@ using Pair = std::array<std::uint32_t, 2>;
 
 Point point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Which corners two triangles have in common.
+/// The corners that two triangles have in common.
 struct Shared {
   int count = 0;
   std::array<int, 3> in_first{};   ///< corner of the first triangle
@@ -65,7 +65,7 @@ class IntersectionTest {
     return CGAL::do_intersect(triangle(other), Kernel::Segment_3(corner(t, i + 1), corner(t, i + 2)));
   }
 
-  /// Two triangles on one edge overlap only where they lie in one plane, on the same side of the edge.
+  /// Two triangles with a common edge overlap only if they lie in one plane, on the same side of the edge.
   bool folded(const Triangle& a, const Triangle& b, const Shared& shared) const {
     const Point p = corner(a, shared.in_first[0]);
     const Point q = corner(a, shared.in_first[1]);

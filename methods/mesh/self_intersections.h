@@ -1,4 +1,4 @@
-// Pairs of triangles that meet where they should not, by CGAL's exact predicates.
+// Pairs of triangles that intersect, by CGAL's exact predicates.
 #pragma once
 
 #include <array>
@@ -10,13 +10,16 @@
 
 namespace isobench {
 
-/// Pairs of triangles that meet elsewhere than in what they share by index: two triangles without a common vertex that
-/// touch at all; with one common vertex, if the opposite edge of one meets the other; with a common edge, if they lie
-/// in one plane on the same side of it; two triangles of the same three vertices always. Any triangle soup will do.
-/// Triangles without area (exactly collinear) bound nothing and are left out; the radius ratio 0 shows them.
+/// Pairs of triangles that meet outside their common vertices and edges. Two triangles are such a pair
+/// - without a common vertex: if they touch;
+/// - with one common vertex: if the edge opposite to it in one triangle meets the other triangle;
+/// - with a common edge: if they lie in one plane, on the same side of the edge;
+/// - with three common vertices: always.
+/// Vertices are common if they have the same index. Any triangle soup is allowed. Triangles without area (exactly
+/// collinear corners) are ignored; they show as triangles with radius ratio 0.
 ///
-/// Smaller index first, ascending: the same for any number of threads. Two threads need about 1 s per million
-/// triangles.
+/// In each pair the smaller index comes first; pairs ascend. The same for any number of threads. Two threads take about
+/// 1 s per million triangles.
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh);
 
 inline std::size_t count_self_intersections(const TriangleMesh& mesh) { return self_intersections(mesh).size(); }

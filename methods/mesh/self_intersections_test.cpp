@@ -19,7 +19,7 @@ namespace {
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 
-/// The count by CGAL's own function for manifold meshes.
+/// The number of pairs by CGAL's own function, which needs a manifold mesh.
 std::size_t count_by_cgal(const TriangleMesh& mesh) {
   SurfaceMesh cgal;
   for (const Eigen::Vector3d& v : mesh.vertices) cgal.add_vertex(Point(v.x(), v.y(), v.z()));
@@ -60,7 +60,7 @@ TEST(SelfIntersections, TouchingInOnePointCounts) {
 }
 
 TEST(SelfIntersections, CommonVertex) {
-  // The second triangle's opposite edge pierces the first, or passes it by.
+  // The second triangle's opposite edge pierces the first triangle or misses it.
   const auto pair = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
     return count_self_intersections(
         sample_meshes::mesh({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, p, q}, {{0, 1, 2}, {0, 3, 4}}));
@@ -127,7 +127,7 @@ TEST(SelfIntersections, AreTheSamePairsForAnyNumberOfThreads) {
   }
 }
 
-// Against every pair looked at: boxes of very different sizes, points among them, and some that only touch.
+// Compared with a test of all pairs, on boxes of very different sizes; some are points, some only touch.
 TEST(BoxTree, FindsEachOverlapOnce) {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> place(0, 40);

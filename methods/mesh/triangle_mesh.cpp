@@ -9,7 +9,7 @@ namespace isobench {
 
 namespace {
 
-// A reflection turns counter-clockwise into clockwise.
+// A reflection makes counter-clockwise triangles clockwise.
 TriangleMesh flipped_if_mirrored(TriangleMesh mesh, const Lattice& lattice) {
   if (!lattice.right_handed()) {
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);

@@ -1,4 +1,4 @@
-// A triangle mesh as plain arrays, with data per vertex and per triangle.
+// A triangle mesh in plain arrays, with data per vertex and per triangle.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,19 +15,20 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;                     ///< mm
   std::vector<Triangle> triangles;                           ///< counter-clockwise seen from outside the object
-  std::map<std::string, std::vector<double>> vertex_data;    ///< one value a vertex
-  std::map<std::string, std::vector<double>> triangle_data;  ///< one value a triangle
+  std::map<std::string, std::vector<double>> vertex_data;    ///< one value per vertex
+  std::map<std::string, std::vector<double>> triangle_data;  ///< one value per triangle
 };
 
 struct Lattice;
-/// The mesh of a lattice frame placed in the world (mirrored frames keep their outside outside), and back.
+/// Moves a mesh from the lattice's frame to the world, and back. Triangles stay counter-clockwise seen from outside,
+/// also if the frame is mirrored.
 TriangleMesh to_world(TriangleMesh mesh, const Lattice& lattice);
 TriangleMesh to_local(TriangleMesh mesh, const Lattice& lattice);
 
-/// For each vertex the least of those that it is connected to over triangles: one that stands for its component.
+/// For each vertex, the smallest vertex of its component: of all vertices that triangles connect it to.
 std::vector<std::uint32_t> component_roots(const TriangleMesh& mesh);
 
-/// Takes out the vertices that no triangle uses, their data too; the others keep their order. Returns how many.
+/// Removes the vertices that no triangle uses, with their data, and returns their number. The others keep their order.
 std::size_t drop_unused_vertices(TriangleMesh& mesh);
 
 }  // namespace isobench

@@ -9,7 +9,7 @@
 namespace isobench {
 namespace {
 
-// The unit_tetrahedron of the axes' unit points, facing outward: volume 1/6.
+// The tetrahedron of the origin and the unit points of the axes; triangles face outward, the volume is 1/6.
 TriangleMesh unit_tetrahedron() {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -18,7 +18,7 @@ TriangleMesh unit_tetrahedron() {
   return mesh;
 }
 
-// Positive where the triangles face outward (divergence theorem).
+// The volume by the divergence theorem; positive if triangles face outward.
 double signed_volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (const Triangle& t : mesh.triangles) {
@@ -41,7 +41,7 @@ class MeshFrames : public testing::TestWithParam<bool> {};
 TEST_P(MeshFrames, TheOutsideStaysOutside) {
   const Lattice lattice = oblique(GetParam());
   ASSERT_NEAR(signed_volume(unit_tetrahedron()), 1.0 / 6.0, 1e-15);
-  // The lattice frame is in mm already: spacing must not scale the mesh again.
+  // Coordinates in the lattice frame are in mm: the spacing must not scale the mesh.
   EXPECT_NEAR(signed_volume(to_world(unit_tetrahedron(), lattice)), 1.0 / 6.0, 1e-12);
   EXPECT_NEAR(signed_volume(to_local(unit_tetrahedron(), lattice)), 1.0 / 6.0, 1e-12);
 }

@@ -1,4 +1,4 @@
-// Binary numbers in a file's bytes, of either byte order.
+// Reads and writes binary numbers in a file's bytes, in either byte order.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace isobench {
 
 static_assert(std::endian::native == std::endian::little, "the mesh files are written in the machine's own byte order");
 
-/// Takes a number off the front of `bytes`. Precondition: there are enough of them.
+/// Removes a number from the front of `bytes` and returns it. Precondition: there are enough bytes.
 template <typename Number>
 Number take_number(std::string_view& bytes, std::endian order = std::endian::little) {
   std::array<char, sizeof(Number)> raw{};

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/text.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 
 namespace isobench {
@@ -27,8 +26,7 @@ constexpr MeshFormat kFormats[] = {{".vtp", read_vtp, write_vtp},
                                    {".stl", read_stl, write_stl}};
 
 const MeshFormat& format_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower_case(path.extension().string());
   for (const MeshFormat& format : kFormats) {
     if (ending == format.ending) return format;
   }
@@ -46,7 +44,7 @@ void check(const TriangleMesh& mesh, const std::filesystem::path& path) {
                fmt::format("triangle {} names a vertex that is not there (the file has {})", t, mesh.vertices.size()));
     }
   }
-  if (mesh.triangles.empty()) bad_mesh(path, "holds no triangles");
+  if (mesh.triangles.empty()) bad_mesh(path, "has no triangles");
 }
 
 }  // namespace
@@ -60,9 +58,9 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
-  // Opening a directory succeeds, only reading from it fails.
+  // A directory can be opened; only reading from it fails.
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) bad_mesh(path, "cannot be read; is there such a file?");
+  if (!file || std::filesystem::is_directory(path)) bad_mesh(path, "cannot be read; does this file exist?");
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (file.bad()) bad_mesh(path, "reading failed before the end of the file");
   if (bytes.empty()) bad_mesh(path, "the file is empty");
@@ -73,7 +71,7 @@ void write_bytes(const std::string& bytes, const std::filesystem::path& path) {
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) throw Error(path.string() + ": cannot be written; is its folder there, writable and not full?");
+  if (!file) throw Error(path.string() + ": cannot be written; does its folder exist, writable and with free space?");
 }
 
 void bad_mesh(const std::filesystem::path& path, const std::string& message) {

@@ -1,5 +1,5 @@
-// Mesh files by the path's ending: VTP (through VTK; coordinates in double, data arrays kept), PLY, OFF, OBJ (in
-// double, without data) and STL (binary, single precision).
+// Reads and writes mesh files; the path's ending gives the format: VTP (coordinates in double, with data arrays), PLY,
+// OFF and OBJ (coordinates in double, without data), STL (written as binary; single precision).
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,20 @@
 
 namespace isobench {
 
-/// Throws UsageError for an unknown ending (naming the known ones), Error where the file cannot be written.
+/// Throws UsageError for an unknown ending, Error if the file cannot be written.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
 
-/// Writes what a monitor kept as points with their data, each into `folder` as its name with the ending .vtp, placed in
-/// the world. Throws Error where a file cannot be written.
+/// Writes the artefacts of a monitor (points with data), each to `folder`/<name>.vtp, in world coordinates. Throws
+/// Error if a file cannot be written.
 void write_artefacts(const std::map<std::string, Artefact>& artefacts, const Lattice& lattice,
                      const std::filesystem::path& folder);
 
-/// Reads such a file back; its points stay in the world. Throws DataError for one that is missing or damaged.
+/// Reads such a file; its points stay in world coordinates. Throws DataError if it is missing or damaged.
 Artefact read_artefact(const std::filesystem::path& path);
 
-/// Reads a triangle mesh; STL's coincident corners are merged. Throws UsageError for an unknown ending, DataError for a
-/// file that is missing, empty, truncated, foreign, has polygons other than triangles, indices out of range or
-/// coordinates that are not finite.
+/// Reads a triangle mesh; corners of STL files at the same position become one vertex. Throws UsageError for an unknown
+/// ending. Throws DataError for a file that is missing, empty, truncated or of another format, or that has polygons
+/// other than triangles, indices out of range or coordinates that are not finite.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 }  // namespace isobench

@@ -9,18 +9,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <set>
 
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
 namespace {
 
-// Coordinates that single precision or six digits would not keep.
+// The coordinates need more than single precision or six digits.
 TriangleMesh octahedron() {
   TriangleMesh mesh;
   const double r = 100.0 + 1.0 / 3.0;
@@ -38,10 +38,9 @@ class MeshFiles : public testing::Test {
   }
   std::string written(const std::string& name) const {
     write_mesh(octahedron(), folder_ / name);
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    return read_text(folder_ / name);
   }
-  /// What reading says against these bytes; nothing may reach stdout or stderr.
+  /// The error message when these bytes are read; nothing may be printed.
   std::string error(const std::string& name, const std::string& bytes) const {
     const std::filesystem::path path = file(name, bytes);
     testing::internal::CaptureStderr();
@@ -200,7 +199,7 @@ TEST_F(MeshFiles, WithPolygonsOtherThanTrianglesAreDataErrors) {
                   "only triangles");
 }
 
-// A VTP file in text, of three vertices, with the given connectivity and offsets of its polygons.
+// A VTP file in ASCII with three vertices and the given connectivity and offsets of its polygons.
 std::string vtp_text(const std::string& points, const std::string& connectivity, const std::string& offsets) {
   const std::string number_of_polys = std::to_string(std::count(offsets.begin(), offsets.end(), ' ') + 1);
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "

@@ -1,8 +1,9 @@
-// One reader and one writer a mesh format; read_mesh() and write_mesh() choose among them. All but VTP are our own
-// because VTK's keep coordinates in single precision (PLY, OBJ) or read damaged files without complaint.
+// One reader and one writer per mesh format; read_mesh() and write_mesh() choose among them. VTK's own readers and
+// writers store coordinates in single precision (PLY, OBJ) or read damaged files without an error; only VTP is written
+// by VTK.
 //
-// Readers throw DataError, naming the file, where the text or bytes are not of the format or end early; whether indices
-// and coordinates make sense is checked by read_mesh() for all of them. Writers throw Error.
+// Readers throw DataError, with the file's name, if the content is not of the format or ends early. read_mesh() checks
+// indices and coordinates for all formats. Writers throw Error.
 #pragma once
 
 #include <filesystem>
@@ -24,11 +25,11 @@ void write_off(const TriangleMesh& mesh, const std::filesystem::path& path);
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path);
 void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path);
 
-/// The bytes of a file; DataError if it is missing, no file, or empty.
+/// The bytes of a file. Throws DataError if it is missing, not a file, or empty.
 std::string read_bytes(const std::filesystem::path& path);
-/// Error if the file cannot be written to the end.
+/// Throws Error if the file cannot be written completely.
 void write_bytes(const std::string& bytes, const std::filesystem::path& path);
-/// DataError: "path: message".
+/// Throws DataError("path: message").
 [[noreturn]] void bad_mesh(const std::filesystem::path& path, const std::string& message);
 
 }  // namespace isobench

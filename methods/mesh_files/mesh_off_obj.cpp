@@ -19,13 +19,14 @@ std::uint32_t checked_index(const TextLines& lines, long index, std::size_t vert
 }
 
 void next_or_truncated(TextLines& lines, const char* what) {
-  if (!lines.next()) lines.fail(fmt::format("the file ends within its {}; it is truncated", what));
+  if (!lines.next()) lines.fail(fmt::format("the file is truncated: it ends within its {}", what));
 }
 
-/// A corner of an OBJ face, "v", "v/t", "v//n" or "v/t/n"; counts from 1, or back from the latest vertex if negative.
+/// The vertex of an OBJ face's corner, "v", "v/t", "v//n" or "v/t/n". Positive numbers count from 1, negative numbers
+/// back from the latest vertex.
 std::uint32_t obj_corner(const TextLines& lines, std::string_view word, std::size_t vertices) {
   const std::optional<long> index = to_integer(word.substr(0, word.find('/')));
-  if (!index) lines.fail(fmt::format("'{}' is no corner of a face", word));
+  if (!index) lines.fail(fmt::format("'{}' is not a corner of a face", word));
   return checked_index(lines, *index < 0 ? *index + static_cast<long>(vertices) : *index - 1, vertices);
 }
 
@@ -42,9 +43,9 @@ TriangleMesh read_off(const std::filesystem::path& path) {
   TextLines lines(text, path);
   const bool any = lines.next();
   const std::string_view keyword = any ? lines.words()[0] : "";
-  // With colours or normals (C, N) a vertex still starts with its three coordinates.
+  // Vertices with colours (C) or normals (N) also start with their three coordinates.
   if (keyword != "OFF" && keyword != "COFF" && keyword != "NOFF" && keyword != "CNOFF") {
-    bad_mesh(path, "is no OFF file: it does not start with the word OFF");
+    bad_mesh(path, "is not an OFF file: it does not start with the word OFF");
   }
   std::size_t first = 1;  // the counts may follow on the same line
   if (lines.words().size() == 1) {
@@ -84,7 +85,7 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
       Triangle& triangle = mesh.triangles.emplace_back();
       for (std::size_t c = 0; c < 3; ++c) triangle[c] = obj_corner(lines, words[c + 1], mesh.vertices.size());
     } else if (!ignored_in_obj(words[0])) {
-      lines.fail("does not belong into an OBJ file of triangles");
+      lines.fail(fmt::format("'{}' is unknown in an OBJ file of triangles", words[0]));
     }
   }
   return mesh;
@@ -93,7 +94,7 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
 void write_off(const TriangleMesh& mesh, const std::filesystem::path& path) {
   std::string text = fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
   const auto out = std::back_inserter(text);
-  // "{}" prints the fewest digits that read back as the same double.
+  // "{}" prints the fewest digits from which the same double is read back.
   for (const Eigen::Vector3d& v : mesh.vertices) fmt::format_to(out, "{} {} {}\n", v.x(), v.y(), v.z());
   for (const Triangle& t : mesh.triangles) fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
   write_bytes(text, path);

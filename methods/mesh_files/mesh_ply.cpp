@@ -21,7 +21,7 @@ enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::f32;
-  std::optional<PlyType> count_type;  ///< of a list
+  std::optional<PlyType> count_type;  ///< the type of a list's length; none for a property that is not a list
 };
 
 struct PlyElement {
@@ -35,7 +35,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// The values of a PLY file's body one after another, in text or binary.
+/// Reads the values of a PLY file's body in their order, from text or binary.
 class PlyBody {
  public:
   PlyBody(std::string_view bytes, const std::string& format, std::filesystem::path path)
@@ -77,10 +77,10 @@ class PlyBody {
     if (word.empty()) truncated();
     bytes_.remove_prefix(word.size());
     const std::optional<double> number = to_number(word);
-    if (!number) bad_mesh(path_, fmt::format("'{}' stands where a number should", word));
+    if (!number) bad_mesh(path_, fmt::format("'{}' is not a number", word));
     return *number;
   }
-  [[noreturn]] void truncated() const { bad_mesh(path_, "ends before all that its header announces; it is truncated"); }
+  [[noreturn]] void truncated() const { bad_mesh(path_, "is truncated: it has less data than its header says"); }
 
   std::string_view bytes_;
   std::filesystem::path path_;
@@ -109,7 +109,7 @@ PlyType to_type(const TextLines& lines, std::size_t word) {
   for (const auto& [name, type] : kNames) {
     if (name == lines.words()[word]) return type;
   }
-  lines.fail(fmt::format("'{}' is no type of PLY", lines.words()[word]));
+  lines.fail(fmt::format("'{}' is not a PLY type", lines.words()[word]));
 }
 
 PlyProperty read_property(const TextLines& lines) {
@@ -137,11 +137,11 @@ PlyHeader read_header(std::string_view text, const std::filesystem::path& path) 
     } else if (words[0] == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(read_property(lines));
     } else if (words[0] != "comment" && words[0] != "obj_info") {
-      lines.fail(fmt::format("'{}' does not belong here in a PLY header", words[0]));
+      lines.fail(fmt::format("'{}' is not allowed here in a PLY header", words[0]));
     }
   }
   if (header.format != "ascii" && header.format != "binary_little_endian" && header.format != "binary_big_endian") {
-    bad_mesh(path, fmt::format("the format '{}' is none of PLY", header.format));
+    bad_mesh(path, fmt::format("'{}' is not a PLY format", header.format));
   }
   return header;
 }
@@ -184,7 +184,7 @@ void read_faces(const PlyElement& element, PlyBody& body, const std::filesystem:
 }
 
 void skip(const PlyElement& element, PlyBody& body) {
-  // Without properties there is nothing to skip, however many the header claims.
+  // An element without properties takes no bytes: do not loop over a huge count of them.
   for (long n = 0; n < element.count && !element.properties.empty(); ++n) {
     for (const PlyProperty& property : element.properties) {
       const double count = property.count_type ? body.next(*property.count_type) : 1.0;
@@ -199,11 +199,11 @@ TriangleMesh read_ply(const std::filesystem::path& path) {
   const std::string file = read_bytes(path);
   const std::string_view bytes = file;
   if (!bytes.starts_with("ply\n") && !bytes.starts_with("ply\r")) {
-    bad_mesh(path, "is no PLY file: it does not start with the word ply");
+    bad_mesh(path, "is not a PLY file: it does not start with the word ply");
   }
   const std::size_t end = bytes.find("end_header");
   const std::size_t body_start = end == std::string_view::npos ? end : bytes.find('\n', end);
-  if (body_start == std::string_view::npos) bad_mesh(path, "ends within its header; it is truncated");
+  if (body_start == std::string_view::npos) bad_mesh(path, "is truncated: it ends within its header");
   const PlyHeader header = read_header(bytes.substr(0, end), path);
 
   PlyBody body(bytes.substr(body_start + 1), header.format, path);

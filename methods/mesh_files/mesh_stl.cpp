@@ -28,11 +28,11 @@ struct CornerHash {
   }
 };
 
-/// STL names no vertices: corners of the same coordinates become one, numbered as they come.
+/// STL files have no vertex numbers: corners with the same coordinates become one vertex, numbered in reading order.
 class CornerMerger {
  public:
   void add(Corner corner) {
-    for (float& x : corner) x += 0.0F;  // −0 becomes 0, which equals it but hashes differently
+    for (float& x : corner) x += 0.0F;  // −0 becomes 0: they are equal but have different hashes
     const auto [entry, is_new] = numbers_.try_emplace(corner, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) mesh_.vertices.emplace_back(corner[0], corner[1], corner[2]);
     if (corners_ == 0) mesh_.triangles.emplace_back();
@@ -52,7 +52,7 @@ TriangleMesh read_binary(std::string_view bytes) {
   CornerMerger merger;
   bytes.remove_prefix(kHeaderSize + 4);
   while (!bytes.empty()) {
-    std::string_view facet = bytes.substr(12, kFacetSize - 14);  // normals are recomputed by whoever needs them
+    std::string_view facet = bytes.substr(12, kFacetSize - 14);  // without the normal and the attributes
     bytes.remove_prefix(kFacetSize);
     while (!facet.empty()) {
       Corner corner{};
@@ -76,10 +76,10 @@ TriangleMesh read_ascii(std::string_view text, const std::filesystem::path& path
     } else if (keyword == "outer" || keyword == "endloop") {
       if (!merger.between_triangles()) lines.fail("only triangles can be read");
     } else if (keyword != "solid" && keyword != "facet" && keyword != "endfacet" && !complete) {
-      lines.fail(fmt::format("'{}' does not belong into an ASCII STL file", keyword));
+      lines.fail(fmt::format("'{}' is unknown in an ASCII STL file", keyword));
     }
   }
-  if (!complete) bad_mesh(path, "ends without endsolid; it is truncated");
+  if (!complete) bad_mesh(path, "is truncated: it ends without endsolid");
   if (!merger.between_triangles()) bad_mesh(path, "its last triangle lacks a corner; only triangles can be read");
   return merger.take();
 }
@@ -93,13 +93,13 @@ TriangleMesh read_stl(const std::filesystem::path& path) {
   if (bytes.size() >= kHeaderSize + 4) {
     std::string_view count = bytes.substr(kHeaderSize, 4);
     announced = take_number<std::uint32_t>(count);
-    // The size decides: binary files that begin with the word "solid" are common.
+    // The size decides, not the first word: many binary files begin with "solid".
     if (bytes.size() == kHeaderSize + 4 + announced * kFacetSize) return read_binary(bytes);
   }
   if (bytes.starts_with("solid") && bytes.find('\0') == std::string_view::npos) return read_ascii(bytes, path);
   bad_mesh(
       path,
-      fmt::format("is no STL file or is truncated: neither ASCII nor of the size that its triangle count ({}) asks for",
+      fmt::format("is not an STL file or is truncated: it is not ASCII, and its size does not match its {} triangles",
                   announced));
 }
 

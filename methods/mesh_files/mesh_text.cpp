@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "isobench/foundation/error.h"
@@ -14,7 +16,7 @@ namespace {
 
 template <typename Number>
 std::optional<Number> parse(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);  // which from_chars does not take
+  if (word.starts_with('+')) word.remove_prefix(1);  // from_chars does not accept a plus sign
   Number value{};
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;

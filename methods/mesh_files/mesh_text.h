@@ -1,4 +1,4 @@
-// Text mesh formats line by line.
+// Reads text formats of meshes line by line.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace isobench {
 
-/// The words of one line after another; comments (from '#') and empty lines are passed over.
+/// Gives the words of one line after another, without empty lines and comments (from '#' on).
 class TextLines {
  public:
   TextLines(std::string_view text, std::filesystem::path path) : text_(text), path_(std::move(path)) {}
-  /// False at the end.
+  /// Moves to the next line; false at the end of the text.
   bool next();
   const std::vector<std::string_view>& words() const { return words_; }
-  /// DataError: "path:line: message".
+  /// Throws DataError("path:line: message").
   [[noreturn]] void fail(const std::string& message) const;
-  /// Word n as a number or an integer; fail() if the line has none there.
+  /// Word n as a number or an integer; calls fail() if there is none.
   double number(std::size_t n) const;
   long integer(std::size_t n) const;
 
@@ -34,7 +34,7 @@ class TextLines {
 
 std::optional<double> to_number(std::string_view word);
 std::optional<long> to_integer(std::string_view word);
-/// What is no index becomes one that no mesh has, for read_mesh() to report.
+/// The value as an index. A value that is not an index becomes one that no mesh has, and read_mesh() reports it.
 std::uint32_t to_index(double value);
 
 }  // namespace isobench

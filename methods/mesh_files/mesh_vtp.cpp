@@ -43,21 +43,21 @@ void add_points(const VtkXmlFile& file, const VtkElement& piece, std::size_t cou
   const VtkElement* points = piece.child("Points");
   if (count == 0) return;
   if (points == nullptr) file.fail("its points have no coordinates");
-  const std::vector<double> coordinates = file.numbers<double>(array_of(file, *points, ""), 3 * count);
+  const std::vector<double> coordinates = file.numbers(array_of(file, *points, ""), 3 * count);
   for (std::size_t v = 0; v < count; ++v) mesh.vertices.emplace_back(coordinates.data() + 3 * v);
 }
 
-/// `first` is the number of the piece's first point.
+/// Adds the triangles of a piece; `first` is the number of the piece's first point.
 void add_triangles(const VtkXmlFile& file, const VtkElement& piece, std::size_t count, std::size_t first,
                    TriangleMesh& mesh) {
   const VtkElement* polygons = piece.child("Polys");
   if (count == 0) return;
   if (polygons == nullptr) file.fail("its polygons have no corners");
-  const std::vector<double> ends = file.numbers<double>(array_of(file, *polygons, "offsets"), count);
+  const std::vector<double> ends = file.numbers(array_of(file, *polygons, "offsets"), count);
   for (std::size_t t = 0; t < count; ++t) {
     if (ends[t] != static_cast<double>(3 * (t + 1))) file.fail("holds polygons other than triangles");
   }
-  const std::vector<double> corners = file.numbers<double>(array_of(file, *polygons, "connectivity"), 3 * count);
+  const std::vector<double> corners = file.numbers(array_of(file, *polygons, "connectivity"), 3 * count);
   const auto offset = static_cast<double>(first);
   for (std::size_t t = 0; t < count; ++t) {
     Triangle& triangle = mesh.triangles.emplace_back();
@@ -68,7 +68,7 @@ void add_triangles(const VtkXmlFile& file, const VtkElement& piece, std::size_t 
   }
 }
 
-/// Scalars only: normals and the like have no place in TriangleMesh. What not every piece has, none has.
+/// Adds the scalar arrays of a piece; TriangleMesh has no vectors. Arrays that are not in every piece are dropped.
 void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t count, std::size_t before,
               DataArrays& arrays) {
   if (source != nullptr) {
@@ -76,8 +76,8 @@ void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t coun
       const std::string name = array.attribute("Name");
       if (array.name != "DataArray" || name.empty() || !VtkXmlFile::is_numeric(array)) continue;
       if (array.attribute("NumberOfComponents", "1") != "1" || (before > 0 && !arrays.contains(name))) continue;
-      if (arrays[name].size() != before) continue;  // two of one name: the first
-      const std::vector<double> values = file.numbers<double>(array, count);
+      if (arrays[name].size() != before) continue;  // of two arrays with one name, the first is read
+      const std::vector<double> values = file.numbers(array, count);
       arrays[name].insert(arrays[name].end(), values.begin(), values.end());
     }
   }
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Eigen::Vector3d>& positions)
 }
 
 void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
-  write_bytes("", path);  // says so if the place cannot be written to
+  write_bytes("", path);  // throws if the file cannot be written; VTK would print
   const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
@@ -111,13 +111,13 @@ void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
 }  // namespace
 
 TriangleMesh read_vtp(const std::filesystem::path& path) {
-  read_bytes(path);  // which says so where there is nothing to read
+  read_bytes(path);  // throws if there is no such file
   const VtkXmlFile file(path, "PolyData");
   TriangleMesh mesh;
   for (const VtkElement& piece : file.data().children) {
     if (piece.name != "Piece") continue;
     for (const char* others : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}) {
-      if (file.count(piece, others) > 0) file.fail("holds points, lines or strips; only triangles can be read");
+      if (file.count(piece, others) > 0) file.fail("has vertices, lines or strips; only triangles can be read");
     }
     const std::size_t vertices = mesh.vertices.size();
     const std::size_t triangles = mesh.triangles.size();
@@ -132,7 +132,7 @@ TriangleMesh read_vtp(const std::filesystem::path& path) {
 }
 
 Artefact read_artefact(const std::filesystem::path& path) {
-  read_bytes(path);  // which says so where there is nothing to read
+  read_bytes(path);  // throws if there is no such file
   const VtkXmlFile file(path, "PolyData");
   TriangleMesh points;
   for (const VtkElement& piece : file.data().children) {

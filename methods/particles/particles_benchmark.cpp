@@ -1,5 +1,5 @@
-// The stages of `particles` at a uniform spacing on a gyroid ball; items are particles. The Delaunay triangulation of
-// the same points is the yardstick: what the other stages may cost is best said as a multiple of it.
+// The stages of `particles` at a uniform spacing on a gyroid ball. Items are particles. The Delaunay triangulation of
+// the same points serves as the reference for the cost of the other stages.
 
 #include <benchmark/benchmark.h>
 
@@ -10,7 +10,7 @@
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/particles/finish/finish.h"
 #include "isobench/methods/particles/finish/shape_energy.h"
-#include "isobench/methods/particles/sampling/relaxation.h"
+#include "isobench/methods/particles/relaxation/newton.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench::particles {
@@ -29,23 +29,27 @@ const TriangleMesh& lattice_mesh() {
   return made;
 }
 
-const Spacing& spacing() {
-  static const SizingField field(surface().voxel());
-  static const Spacing made{field, 1.0};
+const SizingField& field() {
+  static const SizingField made(surface().voxel());
+  return made;
+}
+
+const SizedSurface& sized() {
+  static const SizedSurface made(surface(), field());
   return made;
 }
 
 std::vector<Eigen::Vector3d> seeds() {
   Monitor monitor;
-  const auto count = static_cast<std::size_t>(ideal_count(lattice_mesh(), spacing()));
-  return eliminate_to_seeds(surface(), lattice_mesh(), spacing(), count, 4.0, 1, monitor);
+  const auto count = static_cast<std::size_t>(ideal_count(sized(), lattice_mesh()));
+  return eliminate_to_seeds(sized(), lattice_mesh(), count, 4.0, 1, monitor);
 }
 
 const Particles& relaxed() {
   static const Particles made = [] {
     Monitor monitor;
-    Particles all = make_particles(surface(), spacing(), seeds());
-    relax(surface(), spacing(), all, 40, monitor);
+    Particles all = make_particles(sized(), seeds());
+    relax_by_newton(sized(), all, 40, monitor);
     return all;
   }();
   return made;
@@ -56,14 +60,14 @@ void per_particle(benchmark::State& state, std::int64_t times = 1) {
 }
 
 void sample_elimination(benchmark::State& state) {
-  relaxed();  // made before the clock starts
+  relaxed();  // computed before the clock starts
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(seeds());
   per_particle(state);
 }
 BENCHMARK(sample_elimination)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void neighbour_lists(benchmark::State& state) {
-  relaxed();  // made before the clock starts
+  relaxed();  // computed before the clock starts
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(acting_neighbours(relaxed(), 0.2));
   per_particle(state);
 }
@@ -74,7 +78,7 @@ void ten_relaxation_sweeps(benchmark::State& state) {
   relaxed();
   for ([[maybe_unused]] auto _ : state) {
     Particles all = relaxed();
-    relax(surface(), spacing(), all, 10, monitor);
+    relax_by_newton(sized(), all, 10, monitor);
     benchmark::DoNotOptimize(all);
   }
   per_particle(state, 10);
@@ -96,7 +100,7 @@ void finish_of_the_mesh(benchmark::State& state) {
       relaxed().points, LabelledDelaunay(relaxed().points, surface(), monitor).triangles(), {}, {}};
   TriangleMesh mesh;
   for ([[maybe_unused]] auto _ : state) {
-    mesh = finish(surface(), spacing().field, closed, 12, monitor);
+    mesh = finish(surface(), field(), closed, 12, monitor);
     benchmark::DoNotOptimize(mesh);
   }
   double least = 1.0;

@@ -11,20 +11,17 @@
 #include "isobench/methods/mesh/mesh_checksum.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
-#include "isobench/methods/particles/sampling/energy.h"
-#include "isobench/methods/particles/sampling/population.h"
-#include "isobench/methods/particles/sampling/relaxation.h"
+#include "isobench/methods/particles/relaxation/newton.h"
+#include "isobench/methods/particles/relaxation/population_control.h"
+#include "isobench/methods/particles/relaxation/potential.h"
 #include "isobench/methods/particles/sampling/seeds.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
 
 using particles::Particles;
-using particles::Spacing;
-
-Isosurface surface_of(const std::string& name, int nodes) {
-  return Isosurface(sample_phantom(phantom(name), nodes), 0.0);
-}
+using particles::SizedSurface;
 
 TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, std::uint64_t seed = 1) {
   const Method& particles = method("particles");
@@ -32,27 +29,14 @@ TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, st
   return particles.mesh(MeshingTask(surface, request, Parameters(particles.parameters), seed), monitor);
 }
 
-SizingRequest with_edges(double edge_length) {
-  SizingRequest request;
-  request.edge_length = edge_length;
-  return request;
-}
-
-SizingRequest adaptive(double epsilon, double delta) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = delta;
-  return request;
-}
-
 TEST(ParticlesSeeds, AreAsManyAsAskedOnTheSurfaceAndApart) {
   const Isosurface surface = surface_of("torus", 48);
   Monitor monitor;
   const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
   const SizingField field(2.0 * surface.voxel());
-  const Spacing spacing{field, 1.0};
-  const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
-  const auto seeds = particles::eliminate_to_seeds(surface, lattice_mesh, spacing, count, 4.0, 1, monitor);
+  const SizedSurface sized(surface, field);
+  const auto count = static_cast<std::size_t>(particles::ideal_count(sized, lattice_mesh));
+  const auto seeds = particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, 1, monitor);
   EXPECT_EQ(seeds.size(), count);
   double nearest = 1e300;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
@@ -60,7 +44,7 @@ TEST(ParticlesSeeds, AreAsManyAsAskedOnTheSurfaceAndApart) {
     EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * surface.voxel());
     for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, (seeds[i] - seeds[j]).norm());
   }
-  // Random points would come arbitrarily near; elimination reaches about 0.7 of the hexagonal packing's distance.
+  // Random points can be arbitrarily close. Elimination gives about 0.7 times the distance in a hexagonal packing.
   EXPECT_GT(nearest, 0.5 * field.h(seeds[0]));
 }
 
@@ -69,16 +53,16 @@ TEST(ParticlesRelaxation, LowersTheEnergyOfAUniformPacking) {
   Monitor monitor;
   const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
   const SizingField field(1.5 * surface.voxel());
-  const Spacing spacing{field, 1.0};
-  const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
-  Particles all = particles::make_particles(
-      surface, spacing, particles::eliminate_to_seeds(surface, lattice_mesh, spacing, count, 4.0, 1, monitor));
-  relax(surface, spacing, all, 60, monitor);
+  const SizedSurface sized(surface, field);
+  const auto count = static_cast<std::size_t>(particles::ideal_count(sized, lattice_mesh));
+  Particles all =
+      particles::make_particles(sized, particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, 1, monitor));
+  relax_by_newton(sized, all, 60, monitor);
   const std::vector<double>& energy = monitor.traces().at("energy");
   for (std::size_t sweep = 1; sweep < energy.size(); ++sweep) {
-    EXPECT_LT(energy[sweep], energy[sweep - 1] * 1.002) << "in sweep " << sweep;  // momentum may overshoot a little
+    EXPECT_LT(energy[sweep], energy[sweep - 1] * 1.002) << "in sweep " << sweep;  // momentum may overshoot slightly
   }
-  // The ideal packing has 0.7108; a sphere cannot have it everywhere, and its curvature brings neighbours nearer.
+  // A sphere cannot be packed hexagonally everywhere, and its curvature brings neighbours closer.
   EXPECT_NEAR(energy.back(), particles::ideal_energy, 0.04 * particles::ideal_energy);
 }
 
@@ -87,17 +71,17 @@ TEST(ParticlesPopulation, FillsHolesAndThinsCrowds) {
   Monitor monitor;
   const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
   const SizingField field(1.5 * surface.voxel());
-  const Spacing spacing{field, 1.0};
-  const auto ideal = particles::ideal_count(lattice_mesh, spacing);
+  const SizedSurface sized(surface, field);
+  const auto ideal = particles::ideal_count(sized, lattice_mesh);
   for (const double share : {0.6, 1.7}) {
     const auto count = static_cast<std::size_t>(share * ideal);
-    Particles all = particles::make_particles(
-        surface, spacing, particles::eliminate_to_seeds(surface, lattice_mesh, spacing, count, 4.0, 1, monitor));
+    Particles all =
+        particles::make_particles(sized, particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, 1, monitor));
     for (int round = 0; round < 10; ++round) {
-      relax(surface, spacing, all, 8, monitor);
-      control_population(surface, spacing, all, 0.6, 1.6);
+      relax_by_newton(sized, all, 8, monitor);
+      control_population(sized, all, {});
     }
-    // Between the two limits of energy a packing's density may stay a little off.
+    // The energy limits leave some range of densities unchanged.
     EXPECT_NEAR(static_cast<double>(all.size()) / ideal, 1.0, 0.15) << "from " << share;
   }
 }
@@ -115,13 +99,14 @@ TEST(ParticlesMethod, MeshesPhantomsClosedWithTheRightTopology) {
   }
 }
 
-// What lies close to itself, on the lattices of the catalogue: the gap is 2.2, 1.1 and the thinnest branch 4.4 voxels.
-TEST(ParticlesMethod, KeepsApartWhatIsCloseToItself) {
+// Surfaces that come close to themselves, with the lattices of the catalogue: gaps of 2.2 and 1.1 voxels, and a branch
+// 4.4 voxels thin.
+TEST(ParticlesMethod, SeparatesCloseParts) {
   const std::vector<std::pair<std::string, int>> lattices = {
       {"thin-sheets", 96}, {"near-spheres", 64}, {"vessel-tree", 96}};
   for (const auto& [name, nodes] : lattices) {
     const Isosurface surface = surface_of(name, nodes);
-    for (const SizingRequest& request : {adaptive(0.7, 0.4), with_edges(0.8)}) {
+    for (const SizingRequest& request : {adaptive(0.7, 0.4), uniform(0.8)}) {
       const MeshFacts facts = mesh_facts(mesh_of(surface, request));
       EXPECT_EQ(facts.open_edges, 0U) << name;
       EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;
@@ -131,7 +116,7 @@ TEST(ParticlesMethod, KeepsApartWhatIsCloseToItself) {
   }
 }
 
-/// The share of vertices with six edges, in percent; in a closed mesh a vertex has as many triangles as edges.
+/// Percentage of vertices with six edges. In a closed mesh, a vertex has as many triangles as edges.
 double valence_six_percent(const TriangleMesh& mesh) {
   std::vector<int> valence(mesh.vertices.size(), 0);
   for (const Triangle& t : mesh.triangles) {

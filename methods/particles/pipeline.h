@@ -1,5 +1,6 @@
-// Meshing by particles, from stages chosen by name. Two methods are presets of it: `particles`, our best, and
-// `particles-2007`, the pipeline of Meyer, Kirby and Whitaker (2007); every difference between them is one parameter.
+// Meshing by particles as a pipeline of stages; parameters choose an implementation for each stage. Two methods are
+// presets of this pipeline and differ only in the defaults of their parameters: `particles`, our best, and
+// `particles-2007`, the pipeline of Meyer, Kirby and Whitaker (2007).
 #pragma once
 
 #include <string>
@@ -8,27 +9,31 @@
 
 namespace isobench::particles {
 
-/// Names of stages, as the parameters of the same names take them.
+/// Defaults of the parameters with the same names; pipeline_parameters.cpp explains each.
 struct Preset {
-  std::string medial_axis;        ///< "shrinking-balls", "foot-points"
-  std::string sizing_nodes;       ///< "projected", "bounding"
-  std::string limiter;            ///< "fast-iterative", "iteration"
-  std::string seeds;              ///< "elimination", "marching-cubes"
-  std::string relaxation;         ///< "newton", "gauss-seidel", each with its own control of the population
-  std::string surface;            ///< "labelled-delaunay", "tight-cocone"
-  double cure = 0.0;              ///< rounds, at most, in which particles are added to cure the triangulation
-  double cure_relaxations = 0.0;  ///< of the surroundings of those particles, at most
-  double gradation = 100.0;       ///< largest δ that is meshed by
-  double critical_floor = 100.0;  ///< voxels: h goes down to this near critical points of F; the floor's or more: not
-  double finish = 0.0;            ///< rounds in which valences and shapes of the mesh are made good
+  std::string medial_axis;        ///< "shrinking-balls" or "foot-points"
+  std::string sizing_nodes;       ///< "projected" or "bounding"
+  std::string limiter;            ///< "fast-iterative" or "iteration"
+  std::string seeds;              ///< "elimination" or "marching-cubes"
+  std::string relaxation;         ///< "newton" or "gauss-seidel", each with a population control of its own
+  std::string surface;            ///< "labelled-delaunay" or "tight-cocone"
+  double cure = 0.0;              ///< maximum number of rounds that only add particles
+  double cure_relaxations = 0.0;  ///< maximum number of rounds that add particles and relax their surroundings
+  double gradation = 100.0;       ///< upper bound on δ
+  double critical_floor = 100.0;  ///< voxels: least h near critical points of F; no effect at or above the floor
+  double finish = 0.0;            ///< rounds of improving valences and shapes
 };
 
-/// The parameters of a method with these stages as its defaults.
+/// The parameters of a method whose defaults are those of the preset.
 ParameterSchema pipeline_parameters(const Preset& preset);
 
-/// Stages "sizing", "seeds", "relaxation", "triangulation", "finish" of the monitor. Traces "energy" and "moves" once a
-/// sweep, "particles" once a round; artefact "particles", with "h" and "energy". Throws Skipped where no particle is
-/// left.
+/// Stages of the monitor, in order: "sizing" (sizing_stage.h), "critical points" (only with an adaptive sizing),
+/// "seeds", "relaxation", "triangulation" (with "cure" inside it, if there is a cure) and "finish" (if it has rounds).
+///
+/// Traces: "energy" once a sweep, "particles" after each population control, with `gauss-seidel` also "moves" once a
+/// sweep, and "finish/places improved" once a local search of the finish. Artefacts: "particles" with "h" and "energy",
+/// "floor-places" with "distance" and "falling" where the sizing is adaptive, and those of the sizing. Throws Error if
+/// the particles span no tetrahedron.
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor);
 
 }  // namespace isobench::particles

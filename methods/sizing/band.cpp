@@ -18,7 +18,7 @@ std::size_t brick_of(const std::array<int, 3>& bricks, int i, int j, int k) {
          static_cast<std::size_t>(i >> 2);
 }
 
-/// Calls visit(i, j, k) for every cell whose eight corners are not all on one side.
+/// Calls visit(i, j, k) for every cell whose corners are not all on one side of the surface.
 template <typename Visit>
 void for_each_crossed_cell(const Isosurface& surface, Visit visit) {
   const auto [nx, ny, nz] = surface.lattice().size;
@@ -57,7 +57,7 @@ Band::Band(const Isosurface& surface, int margin) : size_(surface.lattice().size
   for_each_crossed_cell(surface, [&](int i, int j, int k) {
     for (int corner = 0; corner < 8; ++corner) mark(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
   });
-  // A box dilation is three dilations along one axis each.
+  // A dilation by a box is three dilations, one along each axis.
   for (std::size_t axis = 0; axis < 3 && margin > 0; ++axis) {
     list_nodes();
     for (const std::array<int, 3>& node : nodes_) {

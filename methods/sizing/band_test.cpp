@@ -15,7 +15,7 @@ namespace {
 
 Isosurface coarse_torus() { return Isosurface(sample_phantom(phantom("torus"), 30), 0.0); }
 
-/// The definition, node by node.
+/// The same nodes from the definition, node by node.
 std::set<std::array<int, 3>> nodes_near_crossed_cells(const Isosurface& surface, int margin) {
   const int nx = surface.lattice().size[0];
   const int ny = surface.lattice().size[1];

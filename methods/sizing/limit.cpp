@@ -11,13 +11,13 @@ namespace isobench {
 
 namespace {
 
-/// The U that solves Σ (U − u)²/s² = δ² over a node's lower neighbours, told from the lowest up: one at or above U
-/// changes nothing, nor does any after it.
+/// Solves Σ (U − u)²/s² = δ² over the lower neighbours u of a node. The neighbours are added in ascending order: a
+/// neighbour at or above U does not change U, nor does any after it.
 class Upwind {
  public:
-  /// Returns U after adding a neighbour at `value` whose distance is s.
+  /// Adds a neighbour with value `value` at distance s, where `inverse_square` is 1/s². Returns U.
   double add(double value, double inverse_square, double delta) {
-    if (weight_ == 0.0) base_ = value;  // values count from here, so that the quadratic does not cancel
+    if (weight_ == 0.0) base_ = value;  // values are relative to this one, so that the quadratic does not cancel
     const double u = value - base_;
     if (weight_ > 0.0 && solution_ <= u) return base_ + solution_;
     weight_ += inverse_square;
@@ -36,9 +36,9 @@ class Upwind {
   double second_ = 0.0;    // Σ u²/s²
 };
 
-/// All nodes of a pass are computed from the values before it, so the order among them, and with it the number of
-/// threads, does not matter. A node depends on lower ones only: once those are final so is it, and a pass in which
-/// nothing falls comes after as many passes as the longest chain of such nodes.
+/// Computes all nodes of a pass from the values before it, so the result does not depend on the order of nodes or the
+/// number of threads. A node depends only on lower nodes and is final once they are. So the number of passes is the
+/// length of the longest chain of such nodes.
 class ActiveNodes {
  public:
   ActiveNodes(const Band& band, const std::vector<float>& h0, double delta)
@@ -66,7 +66,7 @@ class ActiveNodes {
  private:
   static constexpr std::size_t block = 1024;
 
-  /// Calls visit(n) for the active nodes of all blocks that have one, in parallel.
+  /// Calls visit(n) in parallel for the active nodes of all blocks that have one.
   template <typename Visit>
   void visit_active(const std::vector<std::uint8_t>& blocks, const std::vector<std::uint8_t>& active, Visit visit) {
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
@@ -81,7 +81,7 @@ class ActiveNodes {
     visit_active(blocks_, active_, [&](std::size_t n) { next_[n] = limited(n); });
   }
 
-  /// Lets nodes fall, and rouses the neighbours of those that did.
+  /// Lowers the nodes to their new values, and activates the neighbours of those that changed.
   void apply() {
     std::vector<std::uint8_t> roused(active_.size(), 0);
     std::vector<std::uint8_t> roused_blocks(blocks_.size(), 0);
@@ -124,8 +124,8 @@ class ActiveNodes {
   const Band& band_;
   std::vector<double> h_;
   std::vector<double> next_;
-  std::vector<std::uint8_t> active_;  // a flag each: something near the node has fallen
-  std::vector<std::uint8_t> blocks_;  // a flag for each `block` nodes: one of them is active
+  std::vector<std::uint8_t> active_;  // of each node: a neighbour has changed
+  std::vector<std::uint8_t> blocks_;  // of each `block` nodes: one of them is active
   double delta_;
   std::array<double, 3> inverse_square_{};
 };

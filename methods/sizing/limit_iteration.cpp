@@ -1,4 +1,4 @@
-// Equations 2 and 3 as printed.
+// Equations 2 and 3 as published.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
@@ -27,7 +27,7 @@ class ExplicitIteration {
     });
   }
 
-  /// One step of all nodes; returns the largest relative change.
+  /// Performs one step on all nodes and returns the largest relative change.
   double step() {
     const double change = tbb::parallel_reduce(
         Range(0, h_.size(), 4096), 0.0,

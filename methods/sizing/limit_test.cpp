@@ -12,7 +12,7 @@
 namespace isobench {
 namespace {
 
-/// A lattice field that no symmetry makes easy: two frequencies and a ridge, between 0.6 and 9 voxels.
+/// A field without symmetry: two frequencies and a ridge, with values between 0.6 and 9 voxels.
 std::vector<float> bumpy_field(const Band& band) {
   std::vector<float> h(band.size());
   for (std::size_t n = 0; n < band.size(); ++n) {
@@ -25,15 +25,15 @@ std::vector<float> bumpy_field(const Band& band) {
 }
 
 Isosurface small_surface(const std::string& name, const Eigen::Vector3d& stretch) {
-  Volume volume = sample_phantom(phantom(name), 24);
-  // Rescaled to about one voxel a unit, so that the field varies over a few nodes.
+  FloatVolume volume = sample_phantom(phantom(name), 24);
+  // One voxel a unit, so that the field varies over a few nodes.
   volume.lattice.spacing = stretch;
   return Isosurface(std::move(volume), 0.0);
 }
 
 class LimiterOf : public testing::TestWithParam<double> {};
 
-// 1e-4: what is left of the way when no step changes a node by more than 1e-7 of itself.
+// The tolerance 1e-4 is the distance that remains when no step changes a node by more than 1e-7 of its value.
 TEST_P(LimiterOf, HasTheFixedPointOfTheExplicitIteration) {
   for (const Eigen::Vector3d& spacing : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.7, 1.0, 1.9)}) {
     const Isosurface surface = small_surface("torus", spacing);

@@ -1,4 +1,4 @@
-// The stages of the sizing field, on a gyroid ball: counters give the time of one sample, ball, node or question.
+// The stages of the sizing field on a gyroid ball. Counters give the time for one sample, ball, node or query.
 
 #include <benchmark/benchmark.h>
 
@@ -46,7 +46,7 @@ void per_item(benchmark::State& state, std::size_t items) {
 void shrinking_balls_of_all_samples(benchmark::State& state) {
   const double cap = 0.5 * surface().extent().minCoeff();
   Monitor monitor;
-  samples();  // made before the clock starts, here and below
+  samples();  // computed before the clock starts, here and below
   for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(shrinking_balls(samples(), surface().voxel(), cap, monitor));
   per_item(state, 2 * samples().points.size());

@@ -49,7 +49,7 @@ class RadiusAt {
     const Eigen::Vector3d x = nodes_ == SizingNodes::bounding ? node : foot_of(node);
     const double lambda = feature_size_(x);
     const Jet jet = surface_.jet(x);
-    // Where the gradient all but vanishes its direction, hence the curvature, means nothing.
+    // Where the gradient almost vanishes, its direction is arbitrary, and so is the curvature.
     if (jet.gradient.norm() < least_slope_) return lambda;
     return std::min(lambda, 1.0 / std::min(curvatures(jet).max_abs(), largest_curvature_));
   }
@@ -57,7 +57,7 @@ class RadiusAt {
  private:
   Eigen::Vector3d foot_of(const Eigen::Vector3d& node) const {
     const auto foot = surface_.project(node);
-    // Newton may fail on a ridge far from the surface; the nearest sample is a foot point, too.
+    // Newton's method may fail on a ridge far from the surface. The nearest sample approximates the foot there.
     return foot ? *foot : samples_.points[sample_tree_.nearest(node).first];
   }
 
@@ -88,8 +88,7 @@ std::vector<float> initial_field(const Isosurface& surface, const Band& band, co
   return h0;
 }
 
-/// Where foot points give other sizes than the balls would: for someone to look at, where artefacts are asked for, and
-/// for the record then.
+/// Records how the sizes from foot points differ from those of shrinking balls: as counters and as an artefact.
 void show_difference(const SurfaceSamples& samples, const MedialBalls& feet, double voxel, double cap,
                      Monitor& monitor) {
   const auto stage = monitor.stage("difference");
@@ -133,7 +132,7 @@ FeatureSize feature_size_of(const Isosurface& surface, const SurfaceSamples& sam
   const MedialBalls axis = feet ? axis_of_feet(surface, samples, stages, cap, monitor)
                                 : shrinking_balls(samples, surface.voxel(), cap, monitor);
   if (monitor.keeps_artefacts()) monitor.artefact("medial-axis", {axis.centres, {{"radius", axis.radii}}});
-  if (!feet) return {axis, surface.voxel()};  // its balls hold to the cap
+  if (!feet) return {axis, surface.voxel()};  // the balls are bounded by the cap already
   if (monitor.keeps_artefacts()) show_difference(samples, axis, surface.voxel(), cap, monitor);
   return {axis, surface.voxel(), cap};
 }
@@ -184,7 +183,7 @@ void check(const SizingRequest& request) {
   require_positive(request.floor, "floor");
   require_positive(request.edge_length, "edge_length");
   require_positive(request.vertices, "vertices");
-  // Triangles name them by 32 bits.
+  // triangles have 32-bit vertex indices
   if (request.vertices.value_or(0.0) > 4e9) throw UsageError("vertices must be at most 4e9");
 }
 

@@ -38,7 +38,7 @@ TEST(SizingStages, TheIterationComesNearTheFastLimiter) {
       make_sizing_field(surface, request(), monitor, {MedialAxis::shrinking_balls, Limiter::iteration});
   EXPECT_GT(monitor.counters().at("limiter/passes"), 10.0);
   EXPECT_EQ(fast.h0_nodes(), slow.h0_nodes());
-  // The published stop leaves a rest of the way.
+  // The published stop criterion leaves some distance to the fixed point.
   EXPECT_LT(differences(fast, slow).back(), 1e-3);
 }
 
@@ -68,7 +68,7 @@ TEST(SizingStages, NodesThatBoundTheSurfaceGiveSmallerSizesOnIt) {
     ratio_of_h0 += bounding.h0(x) / usual.h0(x) / static_cast<double>(lattice_mesh.vertices.size());
     ratio_of_h += bounding.h(x) / usual.h(x) / static_cast<double>(lattice_mesh.vertices.size());
   }
-  // λ is linear across the surface and trilinear interpolation gets it right; the limiter sees a slope of 1 there.
+  // λ is linear across the surface, and trilinear interpolation reproduces it. The limiter sees a slope of 1 there.
   EXPECT_NEAR(ratio_of_h0, 1.0, 0.02);
   EXPECT_LT(ratio_of_h, 0.97);
   EXPECT_GT(ratio_of_h, 0.8);

@@ -1,3 +1,5 @@
+// CGAL 6 has new names for two of these headers and warns of the old ones, the only ones that CGAL 5 has.
+#define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>

@@ -19,7 +19,7 @@ namespace {
 /// Samples of `function` (positive inside) at the nodes of a lattice of `size` nodes of anisotropic spacing.
 template <class Function>
 Isosurface sampled(std::array<int, 3> size, Function function, Kernel kernel = Kernel::bspline) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = size;
   volume.lattice.spacing = {1.0, 0.8, 1.3};
   for (int k = 0; k < size[2]; ++k) {

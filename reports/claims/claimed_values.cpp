@@ -13,9 +13,11 @@ namespace isobench {
 
 namespace {
 
-bool strong(Relation relation) { return relation == Relation::far_above || relation == Relation::far_below; }
+bool is_strong(Relation relation) { return relation == Relation::far_above || relation == Relation::far_below; }
 
-bool far(double larger, double smaller, double factor) { return larger > smaller && larger >= factor * smaller; }
+bool is_far_above(double larger, double smaller, double factor) {
+  return larger > smaller && larger >= factor * smaller;
+}
 
 }  // namespace
 
@@ -24,61 +26,65 @@ const PublishedMethod& printed_method(const Published& published, const std::str
                        [&printed](const PublishedMethod& method) { return method.printed == printed; });
 }
 
-Runs runs_for(const Results& results, const PublishedMethod& method) {
+std::vector<std::string> methods_for(const PublishedMethod& method) {
   std::vector<std::string> names = {method.name};
   names.insert(names.end(), method.beside.begin(), method.beside.end());
-  for (const std::string& name : names) {
+  return names;
+}
+
+Runs runs_for(const Results& results, const PublishedMethod& method) {
+  for (const std::string& name : methods_for(method)) {
     Runs all;
-    Runs plain;
+    Runs unlabelled;
     for (const RunRecord& record : results.records) {
       if (record.request.method != name || record.request.aside) continue;
       all.push_back(&record);
-      if (record.request.label == name) plain.push_back(&record);
+      if (record.request.label == name) unlabelled.push_back(&record);
     }
-    if (!plain.empty()) return plain;
+    if (!unlabelled.empty()) return unlabelled;
     if (!all.empty()) return all;
   }
   return {};
 }
 
 ClaimedValue claimed_value(const PublishedClaim& claim, const PublishedMethod& method, const Runs& runs) {
-  ClaimedValue side;
-  side.name = runs.empty() ? method.name : runs.front()->request.label;
-  if (runs.empty()) side.absent = method.name + " was not run";
+  ClaimedValue claimed;
+  claimed.name = runs.empty() ? method.name : runs.front()->request.label;
+  if (runs.empty()) claimed.absent = method.name + " was not run";
   std::vector<double> values;
   for (const RunRecord* run : runs) {
     double value = 0.0;
     for (const std::string& figure : claim.figures) value += figure_value(*run, figure);
     if (!std::isfinite(value)) {
       const bool failed = run->status != Status::ok;
-      side.absent = side.name + (failed ? ": " + to_string(run->status) : " has no such figure");
+      claimed.absent = claimed.name + (failed ? ": " + to_string(run->status) : " has no such figure");
       continue;
     }
     values.push_back(value);
-    side.open = side.open || !dagger(*run).empty();
+    claimed.open = claimed.open || !dagger(*run).empty();
   }
-  if (values.empty()) return side;
-  side.absent.clear();
+  if (values.empty()) return claimed;
+  claimed.absent.clear();
   const Spread spread = spread_of(std::move(values));
-  side.low = spread.min;
-  side.high = spread.max;
-  side.median = spread.median;
-  return side;
+  claimed.low = spread.min;
+  claimed.high = spread.max;
+  claimed.median = spread.median;
+  return claimed;
 }
 
-std::string text_of(const ClaimedValue& side) {
-  const std::string low = significant(side.low, 3);
-  const std::string high = significant(side.high, 3);
-  return (low == high ? low : low + "–" + high) + (side.open ? " †" : "");
+std::string range_text(const ClaimedValue& value) {
+  const std::string low = significant(value.low, 3);
+  const std::string high = significant(value.high, 3);
+  return (low == high ? low : low + "–" + high) + (value.open ? " †" : "");
 }
 
-std::string median_text(const ClaimedValue& side) {
-  const std::string range = text_of(side);
-  return side.low < side.high ? fmt::format("{} ({})", significant(side.median, 3), range) : range;
+std::string median_and_range(const ClaimedValue& value) {
+  const std::string range = range_text(value);
+  return value.low < value.high ? fmt::format("{} ({})", significant(value.median, 3), range) : range;
 }
 
 Relation stronger(Relation a, Relation b) {
-  if (strong(a) || b == Relation::about) return a;
+  if (is_strong(a) || b == Relation::about) return a;
   return b;
 }
 
@@ -92,15 +98,15 @@ bool holds(const PublishedClaim& claim, const ClaimedValue& left, Relation relat
     case Relation::below:
       return left.high < right.low;
     case Relation::far_above:
-      return far(left.low, right.high, claim.much);
+      return is_far_above(left.low, right.high, claim.much);
     case Relation::far_below:
-      return far(right.low, left.high, claim.much);
+      return is_far_above(right.low, left.high, claim.much);
   }
   return false;
 }
 
-void add_words(std::string& text, const std::string& separator, const std::string& words) {
-  if (!words.empty()) text += (text.empty() ? "" : separator) + words;
+void append_to_list(std::string& list, const std::string& separator, const std::string& item) {
+  if (!item.empty()) list += (list.empty() ? "" : separator) + item;
 }
 
 }  // namespace isobench

@@ -39,7 +39,7 @@ Published published_with(const std::string& claim) {
   return read_published(folder.write("claims.toml", claims_head + claim));
 }
 
-// A run whose figures of interest are given.
+// A run with this smallest radius ratio and this percentage of extreme valences.
 RunRecord run(const std::string& dataset, const std::string& method, double worst, double extreme = 0.0) {
   RunRecord record = sample_record(dataset, method);
   record.measurement->set("radius_ratio_min", worst);
@@ -61,6 +61,7 @@ ClaimResult judge(const std::string& claim, const std::vector<RunRecord>& record
   return evaluate(results.published->claims.front(), results);
 }
 
+const std::string trend = "figure = \"radius_ratio_min\"\nmethod = \"ps\"\nsmaller = \"delta\"\ngives = \"larger\"\n";
 const std::string order = "figure = \"radius_ratio_min\"\norder = \"ps > af > mc\"\n";
 
 TEST(Claims, AnOrderHoldsOnEachDataSet) {
@@ -88,9 +89,10 @@ TEST(Claims, WithoutAMethodTheRestOfTheOrderIsTested) {
   const ClaimResult result = judge(order, records);
   EXPECT_EQ(result.verdict, Verdict::held);
   EXPECT_EQ(result.findings[1].verdict, Verdict::not_testable);
-  EXPECT_EQ(result.summary,
-            "held as far as it can be tested here, not on brain (advancing-front was not run; advancing-front was not "
-            "run, marching-cubes: timeout)");
+  EXPECT_EQ(
+      result.summary,
+      "held as far as it could be tested; not testable on brain (advancing-front was not run; advancing-front was "
+      "not run, marching-cubes: timeout)");
   const ClaimResult nothing = judge(order, {records[0]});
   EXPECT_EQ(nothing.summary, "not testable here: advancing-front was not run, marching-cubes was not run");
   EXPECT_EQ(nothing.verdict, Verdict::not_testable);
@@ -170,8 +172,7 @@ TEST(Claims, BoundsAreInclusive) {
   EXPECT_EQ(verdict("at_least = 0.4\nat_most = 0.5", 0.45), Verdict::held);
 }
 
-TEST(Claims, ATrendIsAlongOneParameterAlone) {
-  const std::string trend = "figure = \"radius_ratio_min\"\nmethod = \"ps\"\nsmaller = \"delta\"\ngives = \"larger\"\n";
+TEST(Claims, ATrendComparesRunsThatDifferInOneParameter) {
   std::vector<RunRecord> records;
   for (const double epsilon : {0.5, 0.25}) {
     for (const double delta : {0.2, 0.8, 0.4}) {
@@ -192,8 +193,7 @@ TEST(Claims, ATrendIsAlongOneParameterAlone) {
   EXPECT_EQ(judge(trend, {run("box", "marching-cubes", 0.1)}).verdict, Verdict::not_testable);
 }
 
-TEST(Claims, ATrendOverSeedsIsOneOfTheirMedians) {
-  const std::string trend = "figure = \"radius_ratio_min\"\nmethod = \"ps\"\nsmaller = \"delta\"\ngives = \"larger\"\n";
+TEST(Claims, ATrendOverSeveralSeedsComparesMedians) {
   const auto cell = [](double delta, const std::vector<double>& ratios) {
     std::vector<RunRecord> records;
     for (const double ratio : ratios) {
@@ -210,6 +210,86 @@ TEST(Claims, ATrendOverSeedsIsOneOfTheirMedians) {
   EXPECT_EQ(held.findings[0].ours, "δ 0.4: 0.500 (0.300–0.600), δ 0.2: 0.550 (0.200–0.700)");
   records[4].measurement->set("radius_ratio_min", 0.45);
   EXPECT_EQ(judge(trend, records).verdict, Verdict::not_held);
+}
+
+// Runs over a grid of ε and δ that stand aside; the radius ratio rises by 0.1 from one δ to the next smaller one.
+std::vector<RunRecord> sweep_aside(const std::string& dataset, const std::string& method, const std::string& label) {
+  std::vector<RunRecord> records;
+  for (const double epsilon : {1.0, 0.5}) {
+    double ratio = 0.1;
+    for (const double delta : {0.6, 0.3, 0.15}) {
+      records.push_back(run(dataset, method, ratio));
+      records.back().request.label = label;
+      records.back().request.aside = true;
+      records.back().request.sizing.epsilon = epsilon;
+      records.back().request.sizing.delta = delta;
+      ratio += 0.1;
+    }
+  }
+  return records;
+}
+
+TEST(Claims, ATrendIsSeenInRunsThatAreAside) {
+  // As in paper.toml: the tables have one sizing for each data set, and the sweep is a labelled variant of
+  // `particles`.
+  std::vector<RunRecord> records = {run("skull", "particles-2007", 0.3), run("skull", "particles", 0.3),
+                                    run("brain", "particles", 0.2)};
+  EXPECT_EQ(judge(trend, records).summary, "not testable here: no two runs differ in delta alone");
+  for (const RunRecord& record : sweep_aside("box", "particles", "unfinished")) records.push_back(record);
+  const ClaimResult held = judge(trend, records);
+  EXPECT_EQ(held.summary, "held");
+  ASSERT_EQ(held.findings.size(), 2U);
+  EXPECT_EQ(held.findings[0].data, "box, unfinished, ε 1");
+  EXPECT_EQ(held.findings[0].ours, "δ 0.6: 0.100, δ 0.3: 0.200, δ 0.15: 0.300");
+  EXPECT_EQ(held.findings[1].data, "box, unfinished, ε 0.5");
+  records.back().measurement->set("radius_ratio_min", 0.15);
+  EXPECT_EQ(judge(trend, records).summary, "not held on box, unfinished, ε 0.5");
+  records.back() = unfinished(records.back());
+  EXPECT_EQ(judge(trend, records).summary, "held as far as it could be tested (δ 0.15: unfinished: timeout)");
+}
+
+TEST(Claims, OrdersAndBoundsLeaveOutRunsThatAreAside) {
+  const std::string bound = "figure = \"radius_ratio_min\"\nmethod = \"ps\"\nat_least = 0.15\n";
+  std::vector<RunRecord> records = {run("skull", "particles", 0.3), run("skull", "marching-cubes", 0.1)};
+  for (const std::string dataset : {"box", "skull"}) {
+    for (const RunRecord& record : sweep_aside(dataset, "particles", "particles")) records.push_back(record);
+    for (const RunRecord& record : sweep_aside(dataset, "marching-cubes", "coarse")) records.push_back(record);
+  }
+  for (const std::string& claim : {order, bound}) {
+    const ClaimResult result = judge(claim, records);
+    EXPECT_EQ(result.verdict, Verdict::held);
+    ASSERT_EQ(result.findings.size(), 1U) << claim;
+    EXPECT_EQ(result.findings[0].data, "skull");
+  }
+}
+
+TEST(Claims, ASeriesDiffersInItsParameterAlone) {
+  const std::vector<RunRecord> sweep = sweep_aside("box", "particles", "unfinished");
+  const std::vector<RunRecord> pair(sweep.begin(), sweep.begin() + 2);
+  EXPECT_EQ(judge(trend, pair).verdict, Verdict::held);
+  const auto after = [&](auto&& change) {
+    std::vector<RunRecord> records = pair;
+    change(records[1].request);
+    return judge(trend, records).verdict;
+  };
+  EXPECT_EQ(after([](RunRequest& r) { r.seed = 2; }), Verdict::held);
+  EXPECT_EQ(after([](RunRequest& r) { r.label = "finished"; }), Verdict::not_testable);
+  EXPECT_EQ(after([](RunRequest& r) { r.dataset = "torus"; }), Verdict::not_testable);
+  EXPECT_EQ(after([](RunRequest& r) { r.sizing.epsilon = 0.7; }), Verdict::not_testable);
+  EXPECT_EQ(after([](RunRequest& r) { r.sizing.floor = 2.0; }), Verdict::not_testable);
+  EXPECT_EQ(after([](RunRequest& r) { set_parameter(r, "sweeps", 30.0); }), Verdict::not_testable);
+}
+
+TEST(Claims, AVariantInTheTablesShowsATrendOnlyWhereThePlainMethodShowsNone) {
+  std::vector<RunRecord> records = sweep_aside("box", "particles", "without finish");
+  for (RunRecord& record : records) record.request.aside = false;
+  records.push_back(run("box", "particles", 0.3));
+  EXPECT_EQ(judge(trend, records).findings.front().data, "box, without finish, ε 1");
+  for (RunRecord record : sweep_aside("box", "particles", "particles")) {
+    record.request.aside = false;
+    records.push_back(record);
+  }
+  EXPECT_EQ(judge(trend, records).findings.front().data, "box, ε 0.5");
 }
 
 TEST(Claims, MistakesHaveTheirPlace) {
@@ -233,13 +313,14 @@ TEST(Claims, MistakesHaveTheirPlace) {
   has("figure = \"radius_ratio_min\"\norder = \"ps > xx\"\n", "unknown published method 'xx'");
   has("figure = \"radius_ratio_min\"\norder = \"ps > \"\n", "at least two methods");
   has("figure = \"radius_ratio_min\"\norder = \"ps >= mc\"\n", "'>=' is no relation");
-  has("figure = \"radius_ratio_min\"\norder = \"ps > af < mc\"\n", "goes one way");
+  has("figure = \"radius_ratio_min\"\norder = \"ps > af < mc\"\n", "must not mix");
   has("figure = \"radius_ratio_min\"\norder = \"ps ~ mc\"\n", "'about' is missing");
-  has("figure = \"radius_ratio_min\"\norder = \"ps > mc\"\nmuch = 2\n", "'much' has no '>>'");
+  has("figure = \"radius_ratio_min\"\norder = \"ps > mc\"\nmuch = 2\n",
+      "'much' explains '>>', which this claim does not use");
   has("figure = \"radius_ratio_min\"\norder = \"ps >> mc\"\nmuch = 0.5\n", "more than 1");
-  has("figure = \"radius_ratio_min\"\n", "exactly one form");
-  has("figure = \"radius_ratio_min\"\norder = \"ps > mc\"\nat_most = 1\n", "exactly one form");
-  has("figure = \"radius_ratio_min\"\nat_most = 1\n", "of which method");
+  has("figure = \"radius_ratio_min\"\n", "exactly one of");
+  has("figure = \"radius_ratio_min\"\norder = \"ps > mc\"\nat_most = 1\n", "exactly one of");
+  has("figure = \"radius_ratio_min\"\nat_most = 1\n", "needs 'method'");
   has("figure = \"radius_ratio_min\"\nmethod = \"ps\"\nsmaller = \"seed\"\ngives = \"larger\"\n", "'seed'");
   has("figure = []\norder = \"ps > mc\"\n", "empty list");
   has("figure = \"vertices\"\npublished = \"vertexes\"\norder = \"ps > mc\"\n", "unknown published quantity");
@@ -254,15 +335,17 @@ TEST(Claims, ThePapersClaimsStandUnderItsTables) {
   EXPECT_GE(results.published->claims.size(), 4U);
   const std::string text = markdown_tables(results);
   EXPECT_NE(text.find("## Claims of Meyer, Kirby, Whitaker 2007"), std::string::npos);
-  EXPECT_NE(text.find("on every data set.\n\n**held as far as it can be tested here (advancing-front was not run)**"),
+  EXPECT_NE(text.find("then marching cubes.\n\n**held as far as it could be tested (advancing-front was not run)**"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("particles 0.300, marching-cubes 0.100 | ps 0.092, af 0.006, mc 0.000 |"), std::string::npos);
-  EXPECT_NE(text.find("Tested: ps > af > mc of radius_ratio_min; on each data set."), std::string::npos);
+  EXPECT_NE(text.find("Tested: radius_ratio_min: ps > af > mc, on each data set."), std::string::npos);
+  EXPECT_NE(text.find("Names in the publication: ps is our particles-2007 or particles, af is our advancing-front"),
+            std::string::npos);
   const std::string table = markdown(claims_table(results));
   EXPECT_NE(table.find("| particles 0.300, marching-cubes 0.100 | ps 0.092, af 0.006, mc 0.000 |"), std::string::npos)
       << table;
-  EXPECT_NE(text.find("What differs: As in the paper, h0 is that of the field which drove the particles"),
+  EXPECT_NE(text.find("What differs: As in the paper, h0 belongs to the field that controlled the particles"),
             std::string::npos);
 }
 

@@ -1,8 +1,9 @@
-// Claims as a section of tables.md.
+// Claims in words and as tables.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "isobench/reports/claims/claimed_values.h"
 #include "isobench/reports/claims/claims.h"
 #include "isobench/reports/runs/results.h"
 #include "isobench/reports/tables/table_parts.h"
@@ -13,9 +14,31 @@ namespace {
 
 std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
 
+std::string order_rule(const PublishedClaim& claim) {
+  std::string text = claim.order.front();
+  for (std::size_t i = 0; i < claim.relations.size(); ++i)
+    text += " " + to_string(claim.relations[i]) + " " + claim.order[i + 1];
+  text += claim.average ? ", mean over the data sets" : ", on each data set";
+  if (claim.about > 0.0) text += fmt::format("; ~ means within {} %", 100.0 * claim.about);
+  if (claim.much > 0.0) text += fmt::format("; >> and << mean by a factor of at least {}", claim.much);
+  return text;
+}
+
+std::string bound_rule(const PublishedClaim& claim) {
+  std::string text = claim.method + " has";
+  if (claim.at_least) text += fmt::format(" at least {}", *claim.at_least);
+  if (claim.at_most) text += fmt::format("{} at most {}", claim.at_least ? " and" : "", *claim.at_most);
+  return text + ", on each data set";
+}
+
+std::string trend_rule(const PublishedClaim& claim) {
+  return fmt::format("for {} it gets {} as {} gets smaller and nothing else changes; medians over the seeds",
+                     claim.method, claim.gives_larger ? "larger" : "smaller", claim.smaller);
+}
+
 std::string claim_text(std::size_t number, const PublishedClaim& claim, const ClaimResult& result) {
-  // Where there is nothing to judge, the summary says why.
-  MarkdownTable table({"Data", "Verdict", "Ours", "Published"});
+  MarkdownTable table({"Data", "Verdict", "Measured", "Published"});
+  // A table that only repeats "not testable" is left out: the summary gives the reason.
   const bool empty = std::all_of(result.findings.begin(), result.findings.end(), [](const Finding& finding) {
     return finding.verdict == Verdict::not_testable || (finding.ours + finding.published).empty();
   });
@@ -31,11 +54,27 @@ std::string claim_text(std::size_t number, const PublishedClaim& claim, const Cl
 
 }  // namespace
 
+std::string rule_text(const PublishedClaim& claim) {
+  std::string rule = bound_rule(claim);
+  if (!claim.order.empty()) rule = order_rule(claim);
+  if (!claim.smaller.empty()) rule = trend_rule(claim);
+  return fmt::format("{}: {}", fmt::join(claim.figures, " + "), rule);
+}
+
+std::string printed_names(const Published& published) {
+  std::string text;
+  for (const PublishedMethod& method : published.methods) {
+    const std::string ours = fmt::format("{}", fmt::join(methods_for(method), " or "));
+    if (method.printed != ours) append_to_list(text, ", ", method.printed + " is our " + ours);
+  }
+  return text.empty() ? "" : "Names in the publication: " + text + ".";
+}
+
 Table claims_table(const Results& results) {
   Table table;
   if (!results.published) return table;
   table.title = "Claims of " + results.published->short_source;
-  table.header = {"Claim", "Data", "Verdict", "Ours", "Published", "Tested"};
+  table.header = {"Claim", "Data", "Verdict", "Measured", "Published", "Tested"};
   table.label_columns = 2;
   std::size_t number = 0;
   for (const PublishedClaim& claim : results.published->claims) {
@@ -54,6 +93,7 @@ Table claims_table(const Results& results) {
 std::string claims_section(const Results& results) {
   if (!results.published || results.published->claims.empty()) return "";
   std::string text = heading("Claims of " + results.published->short_source);
+  if (const std::string names = printed_names(*results.published); !names.empty()) text += names + "\n\n";
   std::size_t number = 0;
   for (const PublishedClaim& claim : results.published->claims) {
     text += claim_text(++number, claim, evaluate(claim, results));

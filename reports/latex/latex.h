@@ -22,7 +22,7 @@ std::string macro_name(const std::vector<std::string>& parts);
 
 /// \newcommand{\isobench<Data><Method><Figure>}{<value>} for each figure of each dataset and variant with a finished
 /// run. Several seeds or repeats give the median, with …Smallest and …Largest. If meshes that are no closed manifolds
-/// are left out of the median (gated()), …RunsLeftOut says how many.
+/// are left out of the median (counted_runs()), …RunsLeftOut says how many.
 std::string latex_macros(const Results& results);
 
 /// tables.tex. A document that loads booktabs and siunitx reads it with \input.

@@ -56,7 +56,7 @@ class Macros {
 };
 
 void add_figures(const Runs& all, const std::string& dataset, const std::string& variant, Macros& macros) {
-  const Runs runs = gated(all);
+  const Runs runs = counted_runs(all);
   if (runs.empty()) return;
   if (runs.size() < all.size()) {
     macros.add("isobench" + macro_name({dataset, variant, "runs left out"}),

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/foundation/testing/test_text.h"
 #include "isobench/reports/record/sample_records.h"
@@ -77,7 +78,7 @@ int filled_columns(const std::string& row) {
   }
   const std::string multi = "\\multicolumn{";
   for (std::size_t at = row.find(multi); at != std::string::npos; at = row.find(multi, at + 1)) {
-    columns += std::atoi(row.c_str() + at + multi.size()) - 1;
+    columns += std::stoi(row.c_str() + at + multi.size()) - 1;
   }
   return columns;
 }
@@ -188,7 +189,7 @@ TEST(Latex, AFigureHasAMacro) {
 }
 
 TEST(Latex, CompilesWhereThereIsALatex) {
-  if (std::system("command -v pdflatex > /dev/null && kpsewhich siunitx.sty booktabs.sty > /dev/null") != 0) {
+  if (!has_program("pdflatex") || !run_command({"kpsewhich", "siunitx.sty", "booktabs.sty"}).exit.succeeded()) {
     GTEST_SKIP() << "no pdflatex with siunitx and booktabs here (Debian: texlive-latex-base, texlive-science)";
   }
   const TestFolder test_folder;
@@ -196,19 +197,16 @@ TEST(Latex, CompilesWhereThereIsALatex) {
   const std::string head = "\\documentclass{article}\\usepackage{booktabs}\\usepackage{siunitx}\n\\begin{document}\n";
   const auto compiles = [&folder](const std::string& document) {
     write_text(folder / "document.tex", document);
-    const std::string command = "cd '" + folder.string() +
-                                "' && pdflatex -interaction=nonstopmode -halt-on-error "
-                                "document.tex > output.txt";
-    return std::system(command.c_str()) == 0;
+    return run_tool({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document.tex"}, folder);
   };
   for (const Results& results : {results_for_latex(), with_seeds(), with_grid()}) {
     write_text(folder / "tables.tex", latex_tables(results));
-    EXPECT_TRUE(compiles(head + "\\input{tables}\\end{document}\n")) << read_text(folder / "output.txt");
+    EXPECT_TRUE(compiles(head + "\\input{tables}\\end{document}\n")) << read_text(folder / "log.txt");
   }
   EXPECT_TRUE(
       compiles(head + "\\input{tables}\\num[round-mode=figures,round-precision=3]{\\isobenchBoxParticlesEpsilonOneDelta"
                       "ZeroPointFiveRadiusRatioMin}\\end{document}\n"))
-      << read_text(folder / "output.txt");
+      << read_text(folder / "log.txt");
   EXPECT_FALSE(compiles(head + "\\begin{tabular}{l} a & b \\\\ \\end{tabular}\\end{document}\n"));
 }
 

@@ -13,9 +13,9 @@ namespace isobench {
 
 namespace {
 
-constexpr std::size_t most_open_rows = 60;  // of a table; longer ones are folded
+constexpr std::size_t most_open_rows = 60;  // longer tables are folded
 
-// What a cell sorts by: its first number, else a number that was published, else nothing.
+// A cell is sorted by its first measured number. Without one, page.js takes the cell's text.
 std::string sort_key(const TableCell& cell) {
   if (!cell.figures.empty() && std::isfinite(cell.figures.front().spread.median)) {
     return fmt::format(" data-sort=\"{}\"", cell.figures.front().spread.median);
@@ -24,14 +24,15 @@ std::string sort_key(const TableCell& cell) {
 }
 
 std::string cell_html(const TableCell& cell, bool label) {
-  TableCell own = cell;
-  own.published.clear();
-  std::string body = html_escaped(own.text());
+  TableCell measured = cell;
+  measured.published.clear();
+  std::string body = html_escaped(measured.text());
   if (!cell.published.empty()) {
-    TableCell theirs;
-    theirs.published = cell.published;
-    theirs.published_unit = cell.published_unit;
-    body += fmt::format("{}<span class=\"published\">{}</span>", body.empty() ? "" : " ", html_escaped(theirs.text()));
+    TableCell published;
+    published.published = cell.published;
+    published.published_unit = cell.published_unit;
+    body +=
+        fmt::format("{}<span class=\"published\">{}</span>", body.empty() ? "" : " ", html_escaped(published.text()));
   }
   if (label) return fmt::format("<th scope=\"row\">{}</th>", body);
   const char* kind = cell.figures.empty() ? "" : " class=\"number\"";
@@ -46,7 +47,8 @@ std::string definitions_html(const Table& table) {
                         figure.unit.empty() ? "" : " [" + html_escaped(figure.unit) + "]",
                         html_escaped(full_definition(figure)));
   }
-  return text.empty() ? "" : "<details><summary>What the figures are</summary>\n<ul>\n" + text + "</ul></details>\n";
+  return text.empty() ? ""
+                      : "<details><summary>Definitions of the figures</summary>\n<ul>\n" + text + "</ul></details>\n";
 }
 
 }  // namespace
@@ -103,12 +105,13 @@ std::string data_uri(const std::string& media_type, const std::string& bytes) {
 
 std::string html(const Table& table) {
   if (table.empty()) return "";
-  const bool leans = std::any_of(table.rows.begin(), table.rows.end(),
-                                 [](const TableRow& row) { return row.empty() || row.front().text().empty(); });
+  const bool rows_depend_on_order = std::any_of(table.rows.begin(), table.rows.end(), [](const TableRow& row) {
+    return row.empty() || row.front().text().empty();
+  });
   std::string text = "<h3>" + html_escaped(table.title) + "</h3>\n";
   const bool folded = table.rows.size() > most_open_rows;
   if (folded) text += fmt::format("<details><summary>{} rows</summary>\n", table.rows.size());
-  text += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", leans ? "" : " class=\"sortable\"");
+  text += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", rows_depend_on_order ? "" : " class=\"sortable\"");
   for (const std::string& column : table.header) text += "<th scope=\"col\">" + html_escaped(column) + "</th>";
   text += "</tr></thead>\n<tbody>\n";
   for (const TableRow& row : table.rows) {

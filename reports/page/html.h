@@ -1,4 +1,4 @@
-// Text for an HTML page.
+// Text and tables as HTML.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace isobench {
 
-/// Text as HTML shows it.
+/// Text with the characters that HTML reserves replaced.
 std::string html_escaped(std::string_view text);
-/// The same, with `words between backticks` as code.
+/// The same; words between backticks become <code>.
 std::string html_prose(std::string_view text);
-/// Bytes as letters, digits, + and /.
+/// Bytes in base 64.
 std::string base64(const std::string& bytes);
-/// "data:image/png;base64,…": a file's content in the place of its address.
+/// "data:image/png;base64,…": stands where a file's address would, and holds the file's content.
 std::string data_uri(const std::string& media_type, const std::string& bytes);
 
-/// A table with its title, and what belongs under it behind a fold, as a table is itself that is very long. Every cell
-/// carries the number that it sorts by; a table whose rows lean on the one above them (an empty first cell) is not
-/// marked as one that can be sorted.
+/// A table with its title, remarks and folded definitions. A very long table is folded, too. Every cell carries the
+/// number that it is sorted by. A table with empty first cells cannot be sorted, because such a row belongs to the one
+/// above it.
 std::string html(const Table& table);
 
 }  // namespace isobench

@@ -12,7 +12,7 @@ namespace isobench {
 
 namespace {
 
-// What stands under a figure's number is not repeated.
+// Leaves out the plots that stand under the publication's figures already.
 std::string plots_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
   std::string text;
   for (const Plot& plot : exhibits.plots) {
@@ -20,10 +20,10 @@ std::string plots_html(const Exhibits& exhibits, const std::filesystem::path& fo
     if (!shown && drawn(exhibits, plot)) text += plot_html(plot, folder);
   }
   if (text.empty()) return "";
-  const char* elsewhere = exhibits.shown.empty() ? ""
-                                                 : "<p class=\"remark\">Histograms of radius ratios and edge "
-                                                   "lengths stand above, under their figures' numbers.</p>\n";
-  return std::string("<section id=\"plots\"><h2>Plots</h2>\n") + elsewhere + "<div class=\"figures\">\n" + text +
+  const char* see_above = exhibits.shown.empty() ? ""
+                                                 : "<p class=\"remark\">More plots are above, among the figures "
+                                                   "of the publication.</p>\n";
+  return std::string("<section id=\"plots\"><h2>Plots</h2>\n") + see_above + "<div class=\"figures\">\n" + text +
          "</div></section>\n";
 }
 
@@ -46,38 +46,36 @@ std::string tables_html(const Results& results) {
   for (const Table& table : all_tables(results)) text += html(table);
   if (text.empty()) return "";
   return "<section id=\"tables\"><h2>Tables</h2>\n" + text +
-         "<p class=\"remark\">† not a closed manifold; such meshes stay out of medians while there are others. ‡ not "
-         "of the "
-         "number of vertices that it was to be matched to. All figures, unrounded: <a "
-         "href=\"results.csv\">results.csv</a> "
-         "(<a href=\"results.columns.md\">its columns</a>); for LaTeX: <a "
-         "href=\"tables.tex\">tables.tex</a>.</p>\n</section>\n";
+         "<p class=\"remark\">† The mesh is not a closed manifold. It counts in medians only if no mesh of the same "
+         "cell is one. ‡ The mesh does not have the number of vertices that it should be matched to.</p>\n"
+         "<p class=\"remark\">All figures without rounding: <a href=\"results.csv\">results.csv</a> "
+         "(<a href=\"results.columns.md\">meaning of its columns</a>). For LaTeX: "
+         "<a href=\"tables.tex\">tables.tex</a>.</p>\n</section>\n";
 }
 
 std::string banner(const Results& results, const Exhibits& exhibits) {
   std::string text;
   if (!results.missing.empty()) {
     text += fmt::format(
-        "<p class=\"notice\">Half-finished: {} of {} runs are not done yet. The same <code>isobench run</code> goes on "
-        "with "
-        "them; this page shows what there is.</p>\n",
+        "<p class=\"notice\">Half-finished: {} of {} runs are not done yet. This page shows the others. Give the same "
+        "<code>isobench run</code> again to continue.</p>\n",
         results.missing.size(), results.missing.size() + results.records.size());
   }
   for (const std::string& sentence : exhibits.missing) text += "<p class=\"notice\">" + html_prose(sentence) + "</p>\n";
   return text;
 }
 
-// Links to the sections that there are.
+// Links to the sections that exist.
 std::string navigation(const std::string& body) {
-  static const std::vector<std::pair<const char*, const char*>> sections = {{"summary", "In words"},
-                                                                            {"gaps", "Failures and skips"},
-                                                                            {"claims", "Published beside measured"},
+  static const std::vector<std::pair<const char*, const char*>> sections = {{"summary", "Summary"},
+                                                                            {"gaps", "Failed or not done"},
+                                                                            {"claims", "Published claims"},
                                                                             {"figures", "Figures of the paper"},
                                                                             {"turn", "3D"},
                                                                             {"tables", "Tables"},
                                                                             {"plots", "Plots"},
                                                                             {"pictures", "Pictures"},
-                                                                            {"runs", "Provenance"},
+                                                                            {"runs", "How runs were made"},
                                                                             {"cite", "How to cite"}};
   std::string text = "<nav>";
   for (const auto& [id, title] : sections) {

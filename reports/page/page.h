@@ -1,4 +1,4 @@
-// The page: everything of a results folder in one file that needs no network, no server and no scripts.
+// report.html: a whole results folder in one file. To read it takes no network, no server and no scripts.
 #pragma once
 
 #include <filesystem>
@@ -11,32 +11,40 @@
 
 namespace isobench {
 
-/// What there is to be shown beside the tables.
+/// What the page shows beside tables and words.
 struct Exhibits {
   std::vector<Plot> plots;
-  std::vector<std::string> drawn;  ///< names of the plots that are in plots/ as SVG
+  std::vector<std::string> drawn;  ///< names of the plots that have an SVG file in plots/
   std::vector<Picture> pictures;
   std::vector<TurnableFile> turnable;
-  std::size_t across = 1;            ///< pictures in a row of a grid
-  std::vector<std::string> shown;    ///< names of the plots that a part of the page has shown
-  std::vector<std::string> missing;  ///< a sentence for each thing that could not be made, with the remedy
+  std::size_t across = 1;            ///< number of pictures in a row of the grid of ε and δ
+  std::vector<std::string> shown;    ///< names of the plots that the page shows already
+  std::vector<std::string> missing;  ///< one sentence for each thing that could not be made, with the remedy
 };
 
-/// report.html. Reads the plots' and pictures' files from `folder`. The same results give the same bytes.
+/// The text of report.html. Reads the files of plots and pictures from `folder`. The same results give the same bytes.
 std::string page(const Results& results, Exhibits exhibits, const std::filesystem::path& folder);
 
-// Its parts.
-std::string summary_html(const Results& results);  ///< in words: what was compared, matched how, what held
-std::string gaps_html(const Results& results);     ///< what is not done, failed, was skipped or is damaged
-std::string claims_html(const Results& results);   ///< published beside measured
-std::string plates_html(const Results& results, Exhibits& exhibits,
-                        const std::filesystem::path& folder);  ///< the publication's figures, under their numbers
+// Sections of the page; "" where a section would be empty.
+
+/// What was compared, what was matched, which claims held, and which method is best at what.
+std::string summary_html(const Results& results);
+/// Runs that are not done, failed, were skipped or have a damaged record.
+std::string gaps_html(const Results& results);
+/// The claims of the publication, each with its verdict and both the measured and the published values.
+std::string claims_html(const Results& results);
+/// The figures of the publication, by number, made from our pictures and plots. Notes these plots in `exhibits.shown`.
+std::string plates_html(const Results& results, Exhibits& exhibits, const std::filesystem::path& folder);
+/// Links to the meshes, and copies of them that the page's script shows in 3D.
 std::string turnable_html(const Exhibits& exhibits, const std::filesystem::path& folder);
-std::string provenance_html(const Results& results);  ///< a fold a run
+/// How each run was made, one fold for each run.
+std::string provenance_html(const Results& results);
+/// How to cite the program, the published figures and the data.
 std::string citations_html(const Results& results);
 
-/// A figure element each; `drawn` tells whether a plot has a file.
+/// Whether a plot has a file.
 bool drawn(const Exhibits& exhibits, const Plot& plot);
+/// A <figure> element.
 std::string plot_html(const Plot& plot, const std::filesystem::path& folder);
 std::string picture_html(const Picture& picture, const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 "use strict";
-// The page is whole without this; it adds that a click on a column's head sorts a table by it.
+// Adds one thing to the page: a click on the head of a column sorts the table.
 
 function sortKey(row, column) {
   const cell = row.cells[column];
@@ -9,7 +9,7 @@ function sortKey(row, column) {
   return Number.isNaN(number) ? text : number;
 }
 
-// Numbers before words, whichever way numbers go.
+// Numbers stand before words in both directions.
 function compare(a, b, direction) {
   const aIsNumber = typeof a === "number";
   const bIsNumber = typeof b === "number";
@@ -38,7 +38,7 @@ for (const table of document.querySelectorAll("table.sortable")) {
   });
 }
 
-// Who comes by a link to something folded wants to see it; paper shows all.
+// On paper nothing can be unfolded.
 window.addEventListener("beforeprint", () => {
   for (const fold of document.querySelectorAll("details")) fold.open = true;
 });

@@ -35,7 +35,7 @@ dataset = "vessel"
 caption = "Of what was not run."
 )";
 
-// A finished experiment of two methods: of one the page turns the mesh as it is, of the other a copy.
+// A finished experiment with two methods. The page shows one mesh as it is and a smaller copy of the other.
 std::filesystem::path made_report(const TestFolder& folder) {
   std::vector<RunRequest> plan;
   for (const std::string& method : {std::string("ours"), std::string("theirs")}) {
@@ -55,14 +55,14 @@ std::filesystem::path made_report(const TestFolder& folder) {
   return folder.path() / "report.html";
 }
 
-// How many of the pixels of a page are those of a mesh: neither white nor grey.
+// Number of pixels that show a mesh: neither white nor grey.
 int coloured(const std::string& png) {
   return Pixels(png).count([](const Colour& c) {
     return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}) > 40;
   });
 }
 
-// How many pixels two pictures of one size differ in, but for a frame that tells where keys go.
+// Number of different pixels of two pictures of one size, without the frame that shows the keyboard focus.
 int differing(const std::string& before, const std::string& after) {
   const Pixels a(before);
   const Pixels b(after);
@@ -94,7 +94,7 @@ class SlowPageInABrowser : public testing::Test {
   void see_every_table_plot_and_picture() {
     const std::string html = read_text(page_);
     const std::size_t images = count_of(html, "<img ");
-    EXPECT_GT(images, 12U);  // of two meshes three pictures each, two under Figure 6, and plots
+    EXPECT_GT(images, 12U);  // three pictures of each of two meshes, two under Figure 6, and plots
     browser_->ask("for (const image of document.images) image.loading = 'eager';");
     EXPECT_TRUE(browser_->eventually("return Array.from(document.images).every((image) => image.complete)"));
     EXPECT_EQ(browser_->ask("return Array.from(document.images).filter((image) => image.naturalWidth > 0 && "
@@ -106,9 +106,9 @@ class SlowPageInABrowser : public testing::Test {
     EXPECT_EQ(browser_->ask("return Array.from(document.querySelectorAll('table')).filter((t) => t.rows.length < 2 && "
                             "t.className !== 'facts').length"),
               0);
-    // The figure that there is stands under its number; of the other it says what it needs.
+    // One figure is there; for the other one the page says what it needs.
     EXPECT_EQ(browser_->ask("return document.querySelectorAll('#figures h3').length"), 2);
-    EXPECT_NE(html.find("it needs a finished run of vessel"), std::string::npos);
+    EXPECT_NE(html.find("It needs a finished run of vessel"), std::string::npos);
   }
 
   void sort_a_table_by_a_click() {
@@ -127,11 +127,12 @@ class SlowPageInABrowser : public testing::Test {
   }
 
   void turn_a_mesh_by_a_drag() {
-    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 0);  // none before it is asked for
+    EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"),
+              0);  // none before a button is pressed
     browser_->click("td[data-whole] button");
     const std::string before = browser_->picture(".stage canvas");
     const int size = coloured(before);
-    EXPECT_GT(size, 10000);  // no blank
+    EXPECT_GT(size, 10000);
     browser_->drag(".stage canvas", 120, 60);
     const std::string after = browser_->picture(".stage canvas");
     EXPECT_GT(coloured(after), 10000);
@@ -147,7 +148,7 @@ class SlowPageInABrowser : public testing::Test {
     browser_->click("td[data-worst] button:nth-of-type(1)");
     EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
     const std::string caption = browser_->ask("return document.querySelector('.stage figcaption').textContent");
-    EXPECT_NE(caption.find("of a mesh of 25,600"), std::string::npos) << caption;
+    EXPECT_NE(caption.find("of a mesh with 25,600"), std::string::npos) << caption;
     browser_->click("td[data-worst] button:nth-of-type(2)");
     EXPECT_GT(coloured(browser_->picture(".stage canvas")), 10000);
     EXPECT_EQ(browser_->ask("return document.querySelectorAll('canvas').length"), 1);  // one at a time
@@ -159,7 +160,7 @@ class SlowPageInABrowser : public testing::Test {
   std::unique_ptr<Browser> browser_;
 };
 
-// One after the other in one browser: starting it takes longer than all of them.
+// All in one browser, because its start takes longer than all of these checks.
 TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
   browser_->open(page_);
   see_every_table_plot_and_picture();
@@ -171,7 +172,7 @@ TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
 TEST_F(SlowPageInABrowser, ReadsWithoutScripts) {
   browser_->forbid_scripts();
   browser_->open(page_);
-  // Nothing of the page's own has run, and all that is to be read is there.
+  // No script of the page has run, and everything to be read is there.
   EXPECT_EQ(browser_->ask("return document.querySelectorAll('button').length"), 0);
   const std::string text = browser_->ask("return document.body.innerText");
   for (const std::string part : {"Compared: 2 methods", "Worst triangle", "Figure 6", "A torus.", "How to cite"})

@@ -1,4 +1,4 @@
-// page.css, page.js and turning.js, which lie beside this and are compiled into the program.
+// The texts of page.css, page.js and turning.js, which are compiled into the program.
 #pragma once
 
 namespace isobench {

@@ -1,4 +1,4 @@
-// The figures of a publication under their numbers, made of our pictures and plots.
+// The figures of the publication, by number, made from our pictures and plots.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Panels = std::vector<std::string>;
 
-// Pictures of a dataset by what they show; several shots of one run stand beside each other.
+// The pictures of a data set, method by method; each method's shots in the given order.
 Panels pictures_of(const Exhibits& exhibits, const std::string& dataset, const std::vector<const char*>& shots,
                    const std::filesystem::path& folder) {
   std::vector<std::string> methods;
@@ -32,7 +32,7 @@ Panels pictures_of(const Exhibits& exhibits, const std::string& dataset, const s
   return panels;
 }
 
-// Of the runs that kept what they went through the first: five frames.
+// Five pictures of one run, from the medial axis to the mesh: the first run that kept its artefacts.
 Panels pipeline(const Exhibits& exhibits, const std::string& dataset, const std::filesystem::path& folder) {
   const auto first = std::find_if(exhibits.pictures.begin(), exhibits.pictures.end(), [&dataset](const Picture& p) {
     return p.shot == shots::medial_axis && (dataset.empty() || p.dataset == dataset);
@@ -69,8 +69,8 @@ Panels plots_of(Exhibits& exhibits, const std::vector<std::string>& kinds, const
   return panels;
 }
 
-// The dataset's meshes by the published method and what stands beside it.
-std::vector<std::string> leading_methods(const Results& results) {
+// Our methods for the first one of the publication, which is the one that it proposes.
+std::vector<std::string> proposed_methods(const Results& results) {
   if (results.published->methods.empty()) return {};
   const PublishedMethod& first = results.published->methods.front();
   std::vector<std::string> names = first.beside;
@@ -78,14 +78,14 @@ std::vector<std::string> leading_methods(const Results& results) {
   return names;
 }
 
-Panels leading_pictures(const Results& results, const Exhibits& exhibits, const std::string& dataset,
-                        const std::vector<const char*>& shots, const std::filesystem::path& folder) {
-  Exhibits some;
-  for (const std::string& method : leading_methods(results)) {
-    std::copy_if(exhibits.pictures.begin(), exhibits.pictures.end(), std::back_inserter(some.pictures),
+Panels proposed_pictures(const Results& results, const Exhibits& exhibits, const std::string& dataset,
+                         const std::vector<const char*>& shots, const std::filesystem::path& folder) {
+  Exhibits proposed;
+  for (const std::string& method : proposed_methods(results)) {
+    std::copy_if(exhibits.pictures.begin(), exhibits.pictures.end(), std::back_inserter(proposed.pictures),
                  [&method](const Picture& picture) { return picture.title == method && !picture.grid; });
   }
-  return pictures_of(some, dataset, shots, folder);
+  return pictures_of(proposed, dataset, shots, folder);
 }
 
 Panels panels_of(const PublishedPlate& plate, const Results& results, Exhibits& exhibits,
@@ -96,12 +96,12 @@ Panels panels_of(const PublishedPlate& plate, const Results& results, Exhibits& 
   if (plate.shows == "edges over h0") return plots_of(exhibits, {"edge-over-h0"}, folder);
   if (plate.shows == "radius ratios") return plots_of(exhibits, {"radius-ratio"}, folder);
   if (plate.shows == "mesh")
-    return leading_pictures(results, exhibits, plate.dataset, {shots::whole, shots::closer}, folder);
+    return proposed_pictures(results, exhibits, plate.dataset, {shots::whole, shots::closer}, folder);
   if (plate.shows == "particles") {
-    return leading_pictures(results, exhibits, plate.dataset,
-                            {shots::particles, shots::particles_closer, shots::whole, shots::closer}, folder);
+    return proposed_pictures(results, exhibits, plate.dataset,
+                             {shots::particles, shots::particles_closer, shots::whole, shots::closer}, folder);
   }
-  Panels panels = leading_pictures(results, exhibits, plate.dataset, {shots::whole}, folder);
+  Panels panels = proposed_pictures(results, exhibits, plate.dataset, {shots::whole}, folder);
   panels.resize(std::min<std::size_t>(panels.size(), 1));
   for (std::string& panel : pictures_of(exhibits, plate.dataset, {shots::worst}, folder))
     panels.push_back(std::move(panel));
@@ -111,8 +111,8 @@ Panels panels_of(const PublishedPlate& plate, const Results& results, Exhibits& 
 std::string what_it_needs(const PublishedPlate& plate) {
   const std::string of = plate.dataset.empty() ? "" : " of " + plate.dataset;
   if (plate.shows == "pipeline" || plate.shows == "particles" || plate.shows == "contraction")
-    return "a finished run" + of + " that keeps its artefacts";
-  if (plate.shows == "sizing grid") return "finished runs over several ε and δ";
+    return "a finished run" + of + " with artefacts = true";
+  if (plate.shows == "sizing grid") return "finished runs with several values of ε and δ";
   return "a finished run" + of;
 }
 
@@ -120,18 +120,18 @@ std::string what_it_needs(const PublishedPlate& plate) {
 
 std::string plates_html(const Results& results, Exhibits& exhibits, const std::filesystem::path& folder) {
   if (!results.published || results.published->plates.empty()) return "";
-  std::string text = fmt::format("<section id=\"figures\"><h2>Figures of {}, made anew</h2>\n",
+  std::string text = fmt::format("<section id=\"figures\"><h2>Figures of {}, made with our meshes</h2>\n",
                                  html_escaped(results.published->short_source));
   for (const PublishedPlate& plate : results.published->plates) {
     const Panels panels = panels_of(plate, results, exhibits, folder);
     text += fmt::format("<h3 id=\"figure-{0}\">Figure {0}</h3>\n<p class=\"remark\">{1}</p>\n", plate.number,
                         html_escaped(plate.caption));
     if (panels.empty()) {
-      text += "<p class=\"remark\">Not here: it needs " + html_escaped(what_it_needs(plate)) + ".</p>\n";
+      text += "<p class=\"remark\">Not available. It needs " + html_escaped(what_it_needs(plate)) + ".</p>\n";
       continue;
     }
     const bool plots = plate.shows == "contraction" || plate.shows == "edges over h0" || plate.shows == "radius ratios";
-    // Frames and grids keep to their rows, however wide the window.
+    // The pipeline's pictures and the grid keep their rows on a window of any width.
     const std::size_t across = plate.shows == "pipeline" ? panels.size() : exhibits.across;
     const bool rows = plate.shows == "pipeline" || plate.shows == "sizing grid";
     text += rows ? fmt::format("<div class=\"figures grid\" style=\"--across:{}\">\n", across)

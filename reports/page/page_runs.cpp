@@ -1,4 +1,4 @@
-// Where each run comes from, behind a fold.
+// How each run was made, behind a fold.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,30 +38,30 @@ void add_request(const RunRequest& request, Facts& facts) {
     parameters += fmt::format("{}{} = {}", parameters.empty() ? "" : ", ", name, value_text(value));
   }
   facts.add("parameters", parameters);
-  facts.add("sizing asked for", sizing_name(request.sizing));
+  facts.add("requested sizing", sizing_name(request.sizing));
   facts.add("matched to", request.match_to);
   facts.add("seed", fmt::format("{}", request.seed));
-  if (request.limit_minutes) facts.add("limit", fmt::format("{} minutes", *request.limit_minutes));
-  if (request.limit_memory_gb) facts.add("limit of memory", fmt::format("{} GB", *request.limit_memory_gb));
-  facts.add("checksum of the data", request.dataset_checksum);
+  if (request.limit_minutes) facts.add("time limit", fmt::format("{} minutes", *request.limit_minutes));
+  if (request.limit_memory_gb) facts.add("memory limit", fmt::format("{} GB", *request.limit_memory_gb));
+  facts.add("data checksum", request.dataset_checksum);
 }
 
 void add_dataset(const DatasetRecord& dataset, Facts& facts) {
   const auto& size = dataset.lattice.size;
   const Eigen::Vector3d& spacing = dataset.lattice.spacing;
   facts.add("data", dataset.title);
-  facts.add("from", dataset.source);
+  facts.add("source of the data", dataset.source);
   facts.add("lattice", fmt::format("{} × {} × {}, {} × {} × {} mm", size[0], size[1], size[2], spacing.x(), spacing.y(),
                                    spacing.z()));
-  facts.add("prepared by", fmt::format("{}", fmt::join(dataset.preparation, "; ")));
+  facts.add("preparation", fmt::format("{}", fmt::join(dataset.preparation, "; ")));
   facts.add("surface", fmt::format("F = {}, inside {}, {}", dataset.isovalue, dataset.inside, dataset.kernel));
 }
 
 void add_environment(const RunRecord& record, Facts& facts) {
   const Environment& here = record.environment;
   facts.add("started", record.started);
-  facts.add("program",
-            fmt::format("isobench {}, commit {}{}", here.version, here.commit, here.dirty ? ", with changes" : ""));
+  facts.add("program", fmt::format("isobench {}, commit {}{}", here.version, here.commit,
+                                   here.dirty ? ", with local changes" : ""));
   facts.add("built by", here.compiler + ", " + here.build_type);
   std::string libraries;
   for (const auto& [name, version] : *here.libraries)
@@ -81,7 +81,7 @@ void add_outcome(const RunRecord& record, Facts& facts) {
     facts.add("sizing field", fmt::format("{:.4g} to {:.4g} mm, floor {:.4g} mm", record.sizing->smallest,
                                           record.sizing->largest, record.sizing->floor));
   }
-  facts.add("checksum of the mesh", record.mesh_checksum);
+  facts.add("mesh checksum", record.mesh_checksum);
   std::string stages;
   for (const StageTime& stage : record.stages) {
     stages += fmt::format("{}{} {:.3g} s ({:.3g} s CPU)", stages.empty() ? "" : ", ", stage.name, stage.wall_seconds,
@@ -92,7 +92,7 @@ void add_outcome(const RunRecord& record, Facts& facts) {
   for (const auto& [name, value] : record.counters) {
     counters += fmt::format("{}{} {}", counters.empty() ? "" : ", ", name, value);
   }
-  facts.add("counted", counters);
+  facts.add("counters", counters);
   for (const std::string& note : record.notes) facts.add("note", note);
 }
 
@@ -110,7 +110,7 @@ std::string run_html(const RunRecord& record) {
          facts.html() + "</details>\n";
 }
 
-// Beyond these a page of runs is searched, not read: run.json has all that a fold has, and results.csv lists them all.
+// Nobody reads more folds or links than this, and results.csv and each run.json hold the same.
 constexpr std::size_t most_folds = 200;
 constexpr std::size_t most_links = 2000;
 
@@ -118,9 +118,8 @@ std::string others_html(const Results& results) {
   const std::size_t others = results.records.size() - most_folds;
   if (others > most_links) {
     return fmt::format(
-        "<p>{} further runs are too many to be listed here: <a href=\"results.csv\">results.csv</a> has a row for "
-        "each, "
-        "and the run.json in its folder says where it comes from.</p>\n",
+        "<p>{} further runs are too many to be listed here. <a href=\"results.csv\">results.csv</a> has a row for each "
+        "run, and the run.json in its folder says how it was made.</p>\n",
         others);
   }
   std::string text;
@@ -137,7 +136,7 @@ std::string others_html(const Results& results) {
 
 std::string provenance_html(const Results& results) {
   if (results.records.empty()) return "";
-  std::string text = "<section id=\"runs\"><h2>Where each run comes from</h2>\n";
+  std::string text = "<section id=\"runs\"><h2>How each run was made</h2>\n";
   const std::size_t folds = std::min(most_folds, results.records.size());
   for (std::size_t n = 0; n < folds; ++n) text += run_html(results.records[n]);
   if (folds < results.records.size()) text += others_html(results);

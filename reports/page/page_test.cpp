@@ -15,7 +15,7 @@
 namespace isobench {
 namespace {
 
-// Two methods on two datasets; one run timed out.
+// Two methods on two data sets; one run timed out.
 Results results_for_page() {
   Results results;
   results.name = "test";
@@ -30,7 +30,7 @@ Results results_for_page() {
   return results;
 }
 
-// What a browser would fetch by itself: an address in src, or in the href of a link element.
+// Looks for what a browser fetches by itself: an address in src, or in the href of a link element.
 bool asks_a_network(const std::string& page) {
   for (const std::string& attribute : {std::string("src=\""), std::string("<link rel=\"icon\" href=\"")}) {
     for (std::size_t at = page.find(attribute); at != std::string::npos; at = page.find(attribute, at + 1)) {
@@ -40,7 +40,7 @@ bool asks_a_network(const std::string& page) {
   return page.find("@import") != std::string::npos || page.find("url(") != std::string::npos;
 }
 
-// The elements that must be closed are, in the right order.
+// The first element that is not closed, or not in the right order; "" if there is none.
 std::string first_unbalanced(const std::string& page) {
   std::vector<std::string> open;
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
@@ -84,8 +84,9 @@ TEST(Page, HoldsEveryTableWithWhatItSortsBy) {
 
 TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
   const std::string text = summary_html(results_for_page());
-  EXPECT_NE(text.find("Compared: 2 methods (ours, theirs) on 2 data sets (pelvis, skull), asked for ε 0.5, δ 0.3."),
-            std::string::npos);
+  EXPECT_NE(
+      text.find("Compared: 2 methods (ours, theirs) on 2 data sets (pelvis, skull), with the sizing ε 0.5, δ 0.3."),
+      std::string::npos);
   EXPECT_NE(text.find("Matched: nothing."), std::string::npos);
   EXPECT_NE(text.find("Runs: 4 planned, 3 ok, 1 timeout."), std::string::npos);
   EXPECT_NE(text.find("Claims of Meyer, Kirby, Whitaker 2007: "), std::string::npos);
@@ -130,7 +131,7 @@ TEST(Page, StaysAPageForVeryManyRuns) {
   const std::string text = page(results, {}, TestFolder().path());
   EXPECT_EQ(count_of(text, "<details class=\"run\">"), 200U);
   EXPECT_NE(text.find("3802 further runs are too many to be listed here"), std::string::npos);
-  EXPECT_NE(text.find("more that did not end well."), std::string::npos);
+  EXPECT_NE(text.find("more runs that failed or were skipped."), std::string::npos);
   EXPECT_LT(text.size(), usual + 700000);  // a thousand rows of what failed, two hundred folds
 }
 
@@ -181,7 +182,7 @@ TEST(Page, PutsFiguresUnderTheirNumbers) {
   EXPECT_EQ(count_of(text, "plots/radius-ratio-pelvis.svg"), 1U);  // under Figure 5 and nowhere else
   EXPECT_LT(text.find("figure-5"), text.find("plots/radius-ratio-pelvis.svg"));
   EXPECT_LT(text.find("plots/radius-ratio-pelvis.svg"), text.find("figure-6"));
-  EXPECT_NE(text.find("it needs a finished run of vessel"), std::string::npos);
+  EXPECT_NE(text.find("It needs a finished run of vessel"), std::string::npos);
 }
 
 TEST(Page, OfManyRunsStaysUsable) {
@@ -196,7 +197,7 @@ TEST(Page, OfManyRunsStaysUsable) {
   EXPECT_LT(text.size(), 12000000U);
   EXPECT_EQ(count_of(text, "<details class=\"run\">"), 200U);
   EXPECT_NE(text.find("1800 further runs"), std::string::npos);
-  EXPECT_NE(text.find("And 1800 more that are not done yet."), std::string::npos);
+  EXPECT_NE(text.find("And 1800 more runs that are not done yet."), std::string::npos);
   EXPECT_NE(text.find("and 1988 more"), std::string::npos);
   EXPECT_NE(text.find("<summary>2000 rows</summary>"), std::string::npos);
   for (const Plot& plot : all_plots(results)) {
@@ -219,7 +220,7 @@ TEST(Page, LeavesRunsForAFigureOutOfTheTables) {
     const bool grid = table.title.starts_with("ε down");
     EXPECT_EQ(html(table).find("unfinished") != std::string::npos, grid) << table.title;
   }
-  EXPECT_NE(summary_html(results).find("for figures alone, 4 runs more"), std::string::npos);
+  EXPECT_NE(summary_html(results).find("Not compared: 4 runs, made for single figures and claims."), std::string::npos);
 }
 
 TEST(Page, EscapesWhatOthersWrote) {

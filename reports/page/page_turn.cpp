@@ -1,4 +1,4 @@
-// Meshes to be turned: their files as links for whoever reads without scripts, copies of them for the script.
+// Meshes in 3D: links to their files, and small copies for the page's script (turning.js).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace isobench {
 
 namespace {
 
-// In the order in which they come, each once.
+// All different values, in the order in which they occur.
 template <class Of>
-std::vector<std::string> each(const std::vector<TurnableFile>& files, Of&& of) {
+std::vector<std::string> distinct(const std::vector<TurnableFile>& files, Of&& of) {
   std::vector<std::string> all;
   for (const TurnableFile& file : files) {
     if (std::find(all.begin(), all.end(), of(file)) == all.end()) all.push_back(of(file));
@@ -39,20 +39,22 @@ std::string cell_html(const Exhibits& exhibits, const std::string& dataset, cons
 std::string turnable_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
   if (exhibits.turnable.empty()) return "";
   std::string text =
-      "<section id=\"turn\"><h2>Meshes in 3D</h2>\n<p class=\"remark\">The files hold the meshes with their "
-      "measurements, for a program such as ParaView. <span class=\"unscripted\">With scripts, this page also turns "
-      "them.</span></p>\n<div class=\"wide\"><table class=\"turn\"><thead><tr><th scope=\"col\">Data</th>";
-  const auto methods = each(exhibits.turnable, [](const TurnableFile& file) { return file.method; });
+      "<section id=\"turn\"><h2>Meshes in 3D</h2>\n<p class=\"remark\">Open the VTP files, which hold the "
+      "meshes and their measurements, with a program such as ParaView. <span class=\"unscripted\">If scripts are "
+      "allowed, this page shows the meshes, too.</span></p>\n<div class=\"wide\"><table class=\"turn\"><thead><tr><th "
+      "scope=\"col\">Data</th>";
+  const auto methods = distinct(exhibits.turnable, [](const TurnableFile& file) { return file.method; });
   for (const std::string& method : methods) text += "<th scope=\"col\">" + html_escaped(method) + "</th>";
   text += "</tr></thead>\n<tbody>\n";
-  for (const std::string& dataset : each(exhibits.turnable, [](const TurnableFile& file) { return file.dataset; })) {
+  for (const std::string& dataset :
+       distinct(exhibits.turnable, [](const TurnableFile& file) { return file.dataset; })) {
     text += "<tr><th scope=\"row\">" + html_escaped(dataset) + "</th>";
     for (const std::string& method : methods) text += cell_html(exhibits, dataset, method);
     text += "</tr>\n";
   }
   text += "</tbody></table></div>\n";
   for (std::size_t n = 0; n < exhibits.turnable.size(); ++n) {
-    // Text that no browser runs or shows.
+    // The browser neither runs nor shows this text; turning.js reads it.
     text += fmt::format("<script type=\"text/plain\" id=\"mesh-{}\">{}</script>\n", n,
                         base64(read_text(folder / exhibits.turnable[n].file)));
   }

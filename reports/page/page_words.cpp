@@ -1,4 +1,4 @@
-// The parts of the page that are words: summary, gaps, claims, how to cite.
+// The sections of the page that are mainly words: summary, failures, claims, citations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,16 +18,16 @@ namespace isobench {
 
 namespace {
 
-// A dozen names say what there is; more are a list to skip.
+// A reader skips a longer list.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 12;
   if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
   return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
 }
 
-// In the order of the plan, each once; "" is nothing.
+// All different values over the records, in the order of the plan; "" does not count.
 template <class Of>
-std::vector<std::string> each(const Results& results, Of&& of) {
+std::vector<std::string> distinct(const Results& results, Of&& of) {
   std::vector<std::string> all;
   for (const RunRecord& record : results.records) {
     const std::string value = of(record);
@@ -37,13 +37,13 @@ std::vector<std::string> each(const Results& results, Of&& of) {
   return all;
 }
 
-constexpr std::size_t most_missing = 200;  // runs that are named one by one
+constexpr std::size_t most_missing = 200;  // rows for runs that are not done
 
 std::string paragraph(const std::string& text) { return "<p>" + html_escaped(text) + "</p>\n"; }
 
-std::string compared(const Results& results, const RunGrid& runs) {
+std::string compared_sentence(const Results& results, const RunGrid& runs) {
   const std::vector<std::string> labels =
-      each(results, [](const RunRecord& r) { return r.request.aside ? "" : r.request.label; });
+      distinct(results, [](const RunRecord& r) { return r.request.aside ? "" : r.request.label; });
   std::set<std::uint64_t> seeds;
   std::size_t aside = 0;
   for (const RunRecord& record : results.records) {
@@ -55,14 +55,14 @@ std::string compared(const Results& results, const RunGrid& runs) {
   std::string text = fmt::format("Compared: {} ({}) on {} ({})", plural(labels.size(), "method"), listed(labels),
                                  plural(runs.datasets.size(), "data set"), listed(runs.datasets));
   const std::vector<std::string> sizings =
-      each(results, [](const RunRecord& r) { return r.request.aside ? "" : sizing_name(r.request.sizing); });
-  if (sizings.size() <= 12) text += fmt::format(", asked for {}", fmt::join(sizings, " or "));
+      distinct(results, [](const RunRecord& r) { return r.request.aside ? "" : sizing_name(r.request.sizing); });
+  if (sizings.size() <= 12) text += fmt::format(", with the sizing {}", fmt::join(sizings, " or "));
   if (seeds.size() > 1) text += fmt::format(", {} each", plural(seeds.size(), "seed"));
-  if (aside > 0) text += fmt::format("; and, for figures alone, {} more", plural(aside, "run"));
+  if (aside > 0) text += fmt::format(". Not compared: {}, made for single figures and claims", plural(aside, "run"));
   return text + ".";
 }
 
-std::string matched(const Results& results) {
+std::string matched_sentence(const Results& results) {
   std::size_t asked = 0;
   std::size_t reached = 0;
   for (const RunRecord& record : results.records) {
@@ -71,27 +71,25 @@ std::string matched(const Results& results) {
     if (record.match && record.match->reason.empty()) ++reached;
   }
   if (asked == 0) {
-    return "Matched: nothing. Every method had the same sizing asked of it and answered with as many vertices as it "
-           "does: quality at different numbers of vertices is no strict comparison, so look at the numbers of "
-           "vertices, "
-           "too.";
+    return "Matched: nothing. All methods got the same sizing, so their meshes have different numbers of vertices. "
+           "A mesh with more vertices can be better for that reason alone: look at the numbers of vertices, too.";
   }
   return fmt::format(
-      "Matched: {} of {} were brought to the number of vertices of the method that they are compared with, within 2 %; "
-      "what could not be is marked ‡.",
+      "Matched: {} of {} have the same number of vertices as the method that they are compared with, within 2 %. The "
+      "others are marked ‡.",
       reached, plural(asked, "run"));
 }
 
-std::string held(const Results& results) {
+std::string claims_sentence(const Results& results) {
   if (!results.published || results.published->claims.empty()) return "";
   std::map<Verdict, int> verdicts;
   for (const PublishedClaim& claim : results.published->claims) ++verdicts[evaluate(claim, results).verdict];
-  return fmt::format("Claims of {}: {} held, {} did not hold, {} cannot be tested with what was run.",
+  return fmt::format("Claims of {}: {} held, {} did not hold, {} could not be tested with these runs.",
                      results.published->short_source, verdicts[Verdict::held], verdicts[Verdict::not_held],
                      verdicts[Verdict::not_testable]);
 }
 
-std::string done(const Results& results) {
+std::string done_sentence(const Results& results) {
   std::map<Status, std::size_t> states;
   for (const RunRecord& record : results.records) ++states[record.status];
   std::string text = fmt::format("Runs: {} planned", results.records.size() + results.missing.size());
@@ -112,14 +110,14 @@ const char* badge(Verdict verdict) {
   return "<span class=\"badge open\">not testable</span>";
 }
 
-std::string dash(const std::string& text) { return text.empty() ? "–" : html_escaped(text); }
+std::string or_dash(const std::string& text) { return text.empty() ? "–" : html_escaped(text); }
 
 std::string findings_html(const ClaimResult& result) {
   std::string rows;
   for (const Finding& finding : result.findings) {
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         html_escaped(finding.data), badge(finding.verdict),
-                        dash(finding.ours.empty() ? finding.remark : finding.ours), dash(finding.published));
+                        or_dash(finding.ours.empty() ? finding.remark : finding.ours), or_dash(finding.published));
   }
   if (rows.empty()) return "";
   return "<div class=\"wide\"><table class=\"sortable\"><thead><tr><th scope=\"col\">Data</th><th "
@@ -132,14 +130,15 @@ std::string findings_html(const ClaimResult& result) {
 
 std::string summary_html(const Results& results) {
   const RunGrid runs = arrange_runs(results);
-  std::string text = "<section id=\"summary\"><h2>In words</h2>\n";
+  std::string text = "<section id=\"summary\"><h2>Summary</h2>\n";
   if (results.records.empty()) return text + paragraph("No run is finished yet.") + "</section>\n";
-  for (const std::string& sentence : {compared(results, runs), matched(results), done(results), held(results)}) {
+  for (const std::string& sentence : {compared_sentence(results, runs), matched_sentence(results),
+                                      done_sentence(results), claims_sentence(results)}) {
     if (!sentence.empty()) text += paragraph(sentence);
   }
   const std::vector<std::string> sentences = best_sentences(runs);
   if (!sentences.empty()) {
-    text += "<h3>Which method is best at what (ties count for each)</h3>\n<ul class=\"findings\">\n";
+    text += "<h3>Which method is best at what (with a tie, all are named)</h3>\n<ul class=\"findings\">\n";
     for (const std::string& sentence : sentences) text += "<li>" + html_escaped(sentence) + "</li>\n";
     text += "</ul>\n";
   }
@@ -172,18 +171,20 @@ std::string gaps_html(const Results& results) {
         "<th scope=\"col\">State</th><th scope=\"col\">Why</th></tr></thead>\n<tbody>\n" +
         rows + "</tbody></table></div>\n";
   }
-  if (gaps > most_rows) text += paragraph(fmt::format("And {} more that did not end well.", gaps - most_rows));
+  if (gaps > most_rows)
+    text += paragraph(fmt::format("And {} more runs that failed or were skipped.", gaps - most_rows));
   if (shown < results.missing.size())
-    text += paragraph(fmt::format("And {} more that are not done yet.", results.missing.size() - shown));
-  return "<section id=\"gaps\"><h2>Not finished, failed or skipped</h2>\n" + text + "</section>\n";
+    text += paragraph(fmt::format("And {} more runs that are not done yet.", results.missing.size() - shown));
+  return "<section id=\"gaps\"><h2>Failed, skipped or not done yet</h2>\n" + text + "</section>\n";
 }
 
 std::string claims_html(const Results& results) {
   if (!results.published || results.published->claims.empty()) return "";
   const Published& published = *results.published;
-  std::string text = fmt::format("<section id=\"claims\"><h2>Published beside measured: {}</h2>\n",
-                                 html_escaped(published.short_source));
+  std::string text =
+      fmt::format("<section id=\"claims\"><h2>Claims of {}</h2>\n", html_escaped(published.short_source));
   text += paragraph(published.note);
+  if (const std::string names = printed_names(published); !names.empty()) text += paragraph(names);
   std::size_t number = 0;
   for (const PublishedClaim& claim : published.claims) {
     const ClaimResult result = evaluate(claim, results);
@@ -200,23 +201,23 @@ std::string citations_html(const Results& results) {
   std::map<std::string, DatasetInfo> known;
   try {
     for (DatasetInfo& info : list_datasets()) known[info.name] = std::move(info);
-  } catch (
-      const Error&) {  // the catalogue is not where this program was built; the records still say where data came from
+  } catch (const Error&) {
+    // The program was moved away from its catalogue. The page is made without the data sets' own words.
   }
   std::string text = "<section id=\"cite\"><h2>How to cite</h2>\n<dl>\n<dt>This software</dt>\n";
-  for (const std::string& version : each(results, [](const RunRecord& r) {
+  for (const std::string& version : distinct(results, [](const RunRecord& r) {
          return fmt::format("isobench {}, commit {}{}", r.environment.version, r.environment.commit.substr(0, 12),
-                            r.environment.dirty ? " with changes" : "");
+                            r.environment.dirty ? " with local changes" : "");
        })) {
     text += "<dd>" + html_escaped(version) + "; see CITATION.cff</dd>\n";
   }
   if (results.published)
     text += "<dt>Published figures</dt>\n<dd>" + html_escaped(results.published->source) + "</dd>\n";
-  for (const std::string& dataset : each(results, [](const RunRecord& r) { return r.request.dataset; })) {
+  for (const std::string& dataset : distinct(results, [](const RunRecord& r) { return r.request.dataset; })) {
     text += "<dt>Data: " + html_escaped(dataset) + "</dt>\n";
     const auto info = known.find(dataset);
     if (info == known.end()) {
-      text += "<dd>as its own manifest says</dd>\n";
+      text += "<dd>see the manifest of the data set</dd>\n";
       continue;
     }
     std::string words = info->second.title + ". " + info->second.source + ".";

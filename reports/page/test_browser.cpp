@@ -1,18 +1,14 @@
 #include "isobench/reports/page/test_browser.h"
 
 #include <curl/curl.h>
-#include <fcntl.h>
 #include <openssl/evp.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "isobench/foundation/files/whole_files.h"
 
 namespace isobench {
 
@@ -21,13 +17,9 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-// The name under which the protocol hands over an element.
+// The key of an element in the JSON of the protocol.
 constexpr const char* element_key = "element-6066-11e4-a52e-4f735466cecf";
-constexpr int patience = 60;  // seconds: a busy machine takes a while to start a browser
-
-bool is_there(const std::string& program) {
-  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;  // NOLINT: a fixed word
-}
+constexpr int patience = 60;  // seconds; a busy machine starts a browser slowly
 
 std::size_t take(char* data, std::size_t size, std::size_t count, void* text) {
   static_cast<std::string*>(text)->append(data, size * count);
@@ -52,28 +44,16 @@ std::string request(const std::string& method, const std::string& address, const
   return answer;
 }
 
-// The driver chooses a port of its own and says which.
+// The driver chooses a port and prints it.
 int announced_port(const fs::path& log) {
   for (int tries = 0; tries < 10 * patience; ++tries) {
-    std::ostringstream text;
-    text << std::ifstream(log).rdbuf();
+    const std::string text = read_text_or_empty(log);
     const std::string words = "started successfully on port ";
-    const std::size_t at = text.str().find(words);
-    if (at != std::string::npos) return std::stoi(text.str().substr(at + words.size()));
+    const std::size_t at = text.find(words);
+    if (at != std::string::npos) return std::stoi(text.substr(at + words.size()));
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   throw std::runtime_error("chromedriver did not start; its log is " + log.string());
-}
-
-int start_driver(const fs::path& log) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  dup2(file, STDOUT_FILENO);
-  dup2(file, STDERR_FILENO);
-  setpgid(0, 0);  // with its browsers, so that all of them go with it
-  execlp("chromedriver", "chromedriver", "--port=0", static_cast<char*>(nullptr));
-  _exit(127);
 }
 
 std::string decoded(const std::string& base64) {
@@ -87,17 +67,21 @@ std::string decoded(const std::string& base64) {
 
 std::string Browser::missing() {
   for (const char* program : {"chromium", "chromedriver"}) {
-    if (!is_there(program)) return std::string(program) + " is not installed (packages chromium and chromium-driver)";
+    if (!has_program(program))
+      return std::string(program) + " is not installed (packages chromium and chromium-driver)";
   }
   return "";
 }
 
-Browser::Browser(const fs::path& folder) : driver_(start_driver(folder / "driver.txt")) {
+Browser::Browser(const fs::path& folder)
+    : driver_({.words = {"chromedriver", "--port=0"},
+               .out = {ChildOutput::To::new_file, folder / "driver.txt"},
+               .own_group = true}) {
   port_ = announced_port(folder / "driver.txt");
   const Json arguments = {"--headless",
                           "--no-sandbox",
                           "--disable-gpu",
-                          "--enable-unsafe-swiftshader",  // WebGL by the processor
+                          "--enable-unsafe-swiftshader",  // WebGL on the processor
                           "--disable-dev-shm-usage",
                           "--disable-quic",
                           "--no-first-run",
@@ -115,10 +99,8 @@ Browser::Browser(const fs::path& folder) : driver_(start_driver(folder / "driver
 Browser::~Browser() {
   try {
     if (!session_.empty()) call("DELETE", "/session/" + session_, Json::object());
-  } catch (const std::exception&) {  // it goes now anyway
+  } catch (const std::exception&) {  // the driver is ended below in any case
   }
-  kill(-driver_, SIGKILL);
-  waitpid(driver_, nullptr, 0);
 }
 
 Json Browser::call(const std::string& method, const std::string& path, const Json& body) {
@@ -194,7 +176,7 @@ Json Browser::log(const std::string& kind) { return session("/se/log", {{"type",
 std::vector<std::string> Browser::complaints() {
   std::vector<std::string> lines;
   for (const Json& entry : log("browser")) {
-    // The driver's own pictures make OpenGL complain of a lack of speed.
+    // Screenshots of the driver cause warnings of OpenGL about speed.
     if (entry.at("level") != "INFO" && entry.at("source") != "rendering")
       lines.push_back(entry.at("message").get<std::string>());
   }
@@ -207,7 +189,7 @@ std::vector<std::string> Browser::requests() {
     const Json event = Json::parse(entry.at("message").get<std::string>()).at("message");
     if (event.at("method") != "Network.requestWillBeSent") continue;
     const std::string address = event.at("params").at("request").at("url").get<std::string>();
-    // The browser starts with a page of its own.
+    // The browser opens with its own start page.
     const bool own = address.starts_with("file:") || address.starts_with("data:") || address.starts_with("chrome:");
     if (!own) addresses.push_back(address);
   }

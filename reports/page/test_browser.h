@@ -1,4 +1,4 @@
-// Chromium without a window, for tests: driven by its own driver, which speaks the W3C's WebDriver protocol over HTTP.
+// Chromium without a window, for tests. It is controlled by chromedriver over HTTP, with the WebDriver protocol of W3C.
 #pragma once
 
 #include <filesystem>
@@ -6,39 +6,41 @@
 #include <string>
 #include <vector>
 
+#include "isobench/foundation/processes/child_process.h"
+
 namespace isobench {
 
 class Browser {
  public:
-  /// Why there can be none on this machine; "" where there can.
+  /// Why this machine cannot run the browser; "" if it can.
   static std::string missing();
 
-  /// Starts driver and browser, whose files go to `folder`. Throws std::runtime_error where they do not come up within
-  /// a minute.
+  /// Starts driver and browser, which keep their files in `folder`. Throws std::runtime_error if they are not ready
+  /// within a minute.
   explicit Browser(const std::filesystem::path& folder);
   ~Browser();
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
-  /// From now on pages run no scripts of their own.
+  /// From now on the browser does not run the scripts of pages.
   void forbid_scripts();
   void open(const std::filesystem::path& page);
-  /// What a function of this body returns, called in the page.
+  /// Calls a function with this body in the page and gives what it returns.
   nlohmann::json ask(const std::string& body);
-  /// The same until it returns true; false where it does not within a minute.
+  /// Repeats ask() until the answer is true; gives false after a minute.
   bool eventually(const std::string& body);
 
-  // As a person does it, on the first element that a CSS selector names.
+  // What a person does, on the first element that the CSS selector matches.
   void click(const std::string& selector);
   void drag(const std::string& selector, int right, int down);
   void turn_wheel(const std::string& selector, int down);
   void type(const std::string& selector, const std::string& keys);
-  /// A PNG of it.
+  /// The element as PNG.
   std::string picture(const std::string& selector);
 
-  /// What the console complained about so far, a line each.
+  /// The warnings and errors of the console so far, one line each.
   std::vector<std::string> complaints();
-  /// The addresses that were asked for so far, but for files and what pages hold themselves.
+  /// The addresses that were requested so far, except file: and data:.
   std::vector<std::string> requests();
 
  private:
@@ -48,7 +50,7 @@ class Browser {
   std::string element(const std::string& selector);
   void act(const nlohmann::json& actions);
 
-  int driver_ = -1;  // its process
+  ChildProcess driver_;
   int port_ = 0;
   std::string session_;
 };

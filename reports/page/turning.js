@@ -1,4 +1,4 @@
-// Meshes to be turned (reports/pictures/turnable.h says how they are written down): one at a time, drawn by WebGL when asked for.
+// Shows one mesh at a time in 3D with WebGL, after a click. reports/pictures/turnable.h describes the format of the meshes.
 
 const viridis = [[0.267, 0.005, 0.329], [0.229, 0.322, 0.546], [0.128, 0.567, 0.551], [0.369, 0.789, 0.383], [0.993, 0.906, 0.144]];
 
@@ -24,7 +24,7 @@ function readMesh(text) {
   return { place, corners, values: bytes.subarray(at), low, side };
 }
 
-// Three corners of its own for each triangle: its place in space, its normal, its value and which corner it is.
+// Eight numbers for each corner of each triangle: its place, the normal of the triangle, its value and the number of the corner.
 function cornersOf(mesh) {
   const data = new Float32Array(8 * mesh.corners.length);
   for (let t = 0; t < mesh.corners.length; t += 3) {
@@ -78,7 +78,7 @@ function programOf(gl) {
   return program;
 }
 
-// Rows of a rotation; the eye looks along the third from a corner in front, as in the pictures.
+// The rows of a rotation matrix. The third points to the eye, which is at a corner in front, as in the pictures.
 function fromACorner() {
   const back = [0.6, -0.7, 0.4].map((x) => x / Math.hypot(0.6, 0.7, 0.4));
   const length = Math.hypot(back[0], back[1]);
@@ -87,7 +87,7 @@ function fromACorner() {
   return [right, up, back];
 }
 
-// Turned about the screen's upright and level axes.
+// The rotation turned further, about the vertical and the horizontal axis of the screen.
 function turned(rows, aside, upwards) {
   const mixed = (p, q, angle) => [
     p.map((x, i) => Math.cos(angle) * x + Math.sin(angle) * q[i]),
@@ -201,7 +201,7 @@ class Turntable {
   }
 }
 
-// The place under the table where a mesh is shown, made when the first one is asked for.
+// The place under the table where a mesh is shown. It is made at the first click.
 let stage = null;
 
 function makeStage(table) {
@@ -220,7 +220,7 @@ function showMesh(cell, kind, button) {
   try {
     stage ??= makeStage(table);
   } catch (problem) {
-    table.closest(".wide").after(`Nothing can be turned here: ${problem.message}.`);
+    table.closest(".wide").after(`No mesh can be shown in 3D: ${problem.message}.`);
     for (const other of table.querySelectorAll("button")) other.remove();
     return;
   }
@@ -230,21 +230,21 @@ function showMesh(cell, kind, button) {
   const whole = mesh.corners.length === 3 * all;
   const name = `${cell.parentElement.cells[0].textContent}, ${table.tHead.rows[0].cells[cell.cellIndex].textContent}`;
   const number = (mesh.corners.length / 3).toLocaleString("en");
-  const what = kind === "worst" ? `the ${number} triangles around the worst one, as they are.`
+  const what = kind === "worst" ? `the ${number} triangles around the worst one.`
     : whole ? `${number} triangles.`
-    : `a copy of ${number} triangles of a mesh of ${all.toLocaleString("en")}, each in the colour of the worst that it stands for.`;
+    : `a simplified copy with ${number} triangles of a mesh with ${all.toLocaleString("en")}. Each triangle has the colour of the worst triangle that it replaces.`;
   if (kind === "worst") stage.turntable.reset();
   stage.turntable.show(mesh, whole || kind === "worst");
   stage.canvas.setAttribute("aria-label", name);
-  stage.caption.innerHTML = '<span class="scale">radius ratio 0 <i></i> 1</span> <b></b> <span></span> Drag or arrow ' +
-    "keys turn, wheel or + and − zoom, shift and drag moves, e shows or hides edges, double click or 0 starts again.";
+  stage.caption.innerHTML = '<span class="scale">radius ratio 0 <i></i> 1</span> <b></b> <span></span> Turn: drag, ' +
+    "or arrow keys. Zoom: wheel, or + and −. Move: shift and drag. Show or hide edges: e. First view: double click, or 0.";
   stage.caption.querySelector("b").textContent = `${name}:`;
   stage.caption.querySelector("b + span").textContent = what;
   stage.canvas.focus({ preventScroll: true });
 }
 
 for (const cell of document.querySelectorAll("table.turn td[data-whole]")) {
-  for (const [kind, label] of [["whole", "Turn"], ["worst", "Worst place"]]) {
+  for (const [kind, label] of [["whole", "Show in 3D"], ["worst", "Worst triangle"]]) {
     if (cell.dataset[kind] === undefined) continue;
     const button = document.createElement("button");
     button.type = "button";

@@ -10,7 +10,7 @@ namespace isobench {
 namespace {
 
 const Eigen::Vector3d from_a_corner(0.6, -0.7, 0.4);
-constexpr double width_over_height = 0.83 * 640.0 / 520.0;  // the bar takes a part of the width
+constexpr double width_over_height = 0.83 * 640.0 / 520.0;  // the colour bar takes part of the width
 
 Eigen::Vector3d scaled_normal(const TriangleMesh& mesh, const Triangle& t) {
   return (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
@@ -34,7 +34,7 @@ View view_of_all(const std::vector<const TriangleMesh*>& meshes) {
   View view;
   view.focus = box.center();
   view.towards = from_a_corner;
-  // The box's corners, seen from there, decide how much is shown.
+  // The picture must hold all corners of the box as the eye sees them.
   const Eigen::Vector3d direction = from_a_corner.normalized();
   const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized();
   const Eigen::Vector3d up = direction.cross(right);
@@ -72,7 +72,7 @@ View view_of_triangle(const TriangleMesh& mesh, std::size_t triangle) {
   for (std::size_t i = 0; i < 3; ++i) {
     longest = std::max(longest, (mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).norm());
   }
-  // A triangle without area has no normal of its own: its neighbours' is as good.
+  // The neighbours' normals are used, too, because a triangle without area has none.
   view.towards = Eigen::Vector3d::Zero();
   for (const Triangle& other : mesh.triangles) {
     const bool touches =
@@ -81,7 +81,7 @@ View view_of_triangle(const TriangleMesh& mesh, std::size_t triangle) {
   }
   if (view.towards.norm() == 0.0) view.towards = from_a_corner;
   view.half_height = 2.0 * std::max(longest, 1e-9);
-  view.eye_distance = 0.5 * view.half_height;  // what folds over it stays behind the eye
+  view.eye_distance = 0.5 * view.half_height;  // triangles that fold over this one must be behind the eye
   return view;
 }
 

@@ -1,4 +1,4 @@
-// Where meshes are looked at from.
+// The views from which meshes are drawn.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,13 @@
 
 namespace isobench {
 
-/// The whole of several meshes, from a corner in front, with a little room around. They need not be of one surface.
+/// A view of several meshes as a whole, from a corner in front, with a small margin. The meshes need not belong to one
+/// surface.
 View view_of_all(const std::vector<const TriangleMesh*>& meshes);
-/// The place of those meshes that is nearest to the eye of that view, so near that edges of this length can be told
-/// apart.
+/// A view from the same direction of the part of the mesh that is nearest to the eye, so close that edges of this
+/// length can be told apart.
 View closer_view(const View& whole, const TriangleMesh& mesh, double edge_length);
-/// Straight onto a triangle, with its neighbours around it.
+/// A view perpendicular to a triangle, with its neighbours around it.
 View view_of_triangle(const TriangleMesh& mesh, std::size_t triangle);
 
 /// Mean length of the triangles' edges, mm.

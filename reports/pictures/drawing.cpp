@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 constexpr int picture_width = 640;
 constexpr int picture_height = 520;
-constexpr double visible_edge = 5.0;  // pixels: shorter ones would hide the colours
+constexpr double visible_edge = 5.0;  // pixels; shorter edges would hide the colours
 constexpr std::size_t triangles_around = 3000;
 
-// Vertex normals that need not be of length one.
+// Normals at the vertices, not of unit length.
 std::vector<Eigen::Vector3d> normals_of(const TriangleMesh& mesh) {
   std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
   for (const Triangle& t : mesh.triangles) {
@@ -37,7 +37,7 @@ std::vector<Eigen::Vector3d> normals_of(const TriangleMesh& mesh) {
   return normals;
 }
 
-// The part of a medial axis inside the mesh, each point with its distance to the surface.
+// The points of the medial axis inside the mesh, coloured by their distance to the surface.
 Scene axis_scene(const Artefact& axis, const TriangleMesh& mesh) {
   const PointTree tree(mesh.vertices);
   const std::vector<Eigen::Vector3d> normals = normals_of(mesh);
@@ -53,7 +53,7 @@ Scene axis_scene(const Artefact& axis, const TriangleMesh& mesh) {
   return scene;
 }
 
-// A field at the vertices: at the node of its lattice that is nearest.
+// The values of a field at the vertices, taken from the nearest lattice node.
 std::vector<double> at_vertices(const Artefact& sizing, const std::string& field, const TriangleMesh& mesh) {
   const PointTree tree(sizing.points);
   const std::vector<double>& values = sizing.data.at(field);
@@ -62,7 +62,8 @@ std::vector<double> at_vertices(const Artefact& sizing, const std::string& field
   return result;
 }
 
-// What most values lie in: a few far out would take the colours from all others.
+// The range of the colours is that of the middle 96 % of the values: a few outliers would leave one colour for the
+// rest.
 void fit_range(const std::vector<double>& values, Scene& scene) {
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
@@ -77,7 +78,7 @@ std::string edge_counts(const TriangleMesh& mesh, const std::vector<double>& h) 
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i];
       const std::uint32_t b = t[(i + 1) % 3];
-      if (a > b) continue;  // each edge of a closed mesh once
+      if (a > b) continue;  // in a closed mesh this counts each edge once
       const double ratio = (mesh.vertices[a] - mesh.vertices[b]).norm() / (0.5 * (h[a] + h[b]));
       ++counts[static_cast<std::size_t>(std::clamp(100.0 * ratio, 0.0, 199.0))];
     }
@@ -85,7 +86,7 @@ std::string edge_counts(const TriangleMesh& mesh, const std::vector<double>& h) 
   return fmt::format("{}\n", fmt::join(counts, " "));
 }
 
-// Draws the files of one group, whose meshes have one camera.
+// Draws the files of one group, whose meshes are seen with the same views.
 class Painter {
  public:
   Painter(const PictureGroup& group, const fs::path& folder, std::unique_ptr<Renderer>& renderer)
@@ -224,7 +225,7 @@ std::vector<std::string> draw_pictures(const Results& results, const fs::path& f
     try {
       Painter(group, folder, renderer).paint();
     } catch (const Error& error) {
-      sentences.push_back(fmt::format("Of {} there are not all pictures: {}.", group.title, error.what()));
+      sentences.push_back(fmt::format("Some pictures of {} are missing: {}.", group.title, error.what()));
     }
   }
   return sentences;

@@ -1,4 +1,4 @@
-// What the program isobench-pictures does: everything of <folder>/pictures.
+// Draws the files of <folder>/pictures, in the program isobench-pictures.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace isobench {
 
-/// Draws what files_of() names and is not there yet. Returns a sentence for each group of which not all could be drawn.
+/// Draws the files that files_of() names and that do not exist yet. Returns one sentence for each group with a picture
+/// that could not be drawn.
 std::vector<std::string> draw_pictures(const Results& results, const std::filesystem::path& folder);
 
 }  // namespace isobench

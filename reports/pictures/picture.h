@@ -1,4 +1,4 @@
-// What a results folder has to look at beside plots: pictures of meshes, and meshes that the page turns.
+// Pictures of meshes, and mesh files for the 3D view of the page.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace isobench {
 
-/// What is drawn of a run; the names are part of those of files.
+/// What a picture of a run shows. These names are part of file names.
 namespace shots {
 inline constexpr const char* whole = "whole";
 inline constexpr const char* closer = "closer";
@@ -22,38 +22,38 @@ inline constexpr const char* particles_closer = "particles-closer";
 
 struct Picture {
   std::string file;     ///< in the results folder: "pictures/….png"
-  std::string preview;  ///< the same as JPEG, for the page
+  std::string preview;  ///< the same picture as JPEG, for the page
   std::string dataset;
-  std::string shot;   ///< one of the above
-  bool grid = false;  ///< one of a grid of ε and δ
-  std::string group;  ///< pictures that are to be looked at side by side: one camera
-  std::string title;  ///< of this one within its group: the method
+  std::string shot;   ///< one of `shots`
+  bool grid = false;  ///< belongs to a grid of ε and δ
+  std::string group;  ///< heading over the pictures that are compared; they have the same view
+  std::string title;  ///< of this picture within the group: the method, or ε and δ
   std::string caption;
 };
 
-/// A mesh, or a simpler copy of it, as the page's script reads it (reports/pictures/turnable.h).
+/// A file with a mesh, or with a simpler copy of it, for the page's script (reports/pictures/turnable.h).
 struct TurnableFile {
-  std::string file;     ///< in the results folder
-  std::string dataset;  ///< and
-  std::string method;   ///< what it shows
+  std::string file;  ///< in the results folder
+  std::string dataset;
+  std::string method;
   std::string run;
-  bool worst_place = false;   ///< the triangles around the worst one, each as it is; else the whole mesh
-  std::size_t triangles = 0;  ///< of the mesh itself
+  bool worst_place = false;   ///< only the triangles around the worst one, without simplification
+  std::size_t triangles = 0;  ///< of the whole mesh, not of the copy
 };
 
-/// Edges of a mesh over the limited sizing field h that it was asked for, where a run kept that field.
+/// Edge lengths of a mesh divided by the limited sizing field h, for a run that kept this field.
 struct EdgesOverH {
   std::string dataset;
   std::string method;
-  std::vector<std::uint32_t> counts;  ///< in bins of 0.01 from 0 on; what is longer than 2 in the last
+  std::vector<std::uint32_t> counts;  ///< number of edges in bins of 0.01; the last bin has all values above 2
 };
 
-/// Those that are there, and sentences on what is missing and how to get it.
+/// All that exists, and one sentence for each thing that is missing, with the remedy.
 struct Pictures {
   std::vector<Picture> pictures;
   std::vector<TurnableFile> turnable;
   std::vector<EdgesOverH> edges_over_h;
-  std::size_t across = 1;  ///< pictures in a row of a grid
+  std::size_t across = 1;  ///< number of pictures in a row of the grid of ε and δ
   std::vector<std::string> missing;
 };
 

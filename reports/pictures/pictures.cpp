@@ -7,7 +7,9 @@
 #include <set>
 #include <sstream>
 
-#include "isobench/foundation/run_tool.h"
+#include "isobench/foundation/files/scratch_folder.h"
+#include "isobench/foundation/files/whole_files.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"
 #include "isobench/reports/pictures/render.h"
 #include "isobench/reports/runs/run_grid.h"
@@ -20,11 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beyond these nobody looks, and the page grows.
+// Nobody looks at more than these, and each one makes the page larger.
 constexpr std::size_t most_of_a_dataset = 24;
 constexpr std::size_t most_meshes = 72;
-constexpr std::size_t most_triangles = 20000;          // of a mesh that the page turns
-constexpr std::size_t most_triangles_of_all = 800000;  // at about twelve bytes each
+constexpr std::size_t most_triangles = 20000;          // of one mesh that the page shows in 3D
+constexpr std::size_t most_triangles_of_all = 800000;  // of all of them; twelve bytes each
 
 void add_run(PictureGroup& group, const RunRecord& run, const std::string& name) {
   group.runs.push_back(&run);
@@ -43,7 +45,7 @@ PictureGroup dataset_group(const RunGrid& runs, const std::string& dataset, std:
   }
   if (meshes > group.runs.size()) {
     left_out.push_back(
-        fmt::format("Of {} the first {} of {} meshes have pictures.", dataset, group.runs.size(), meshes));
+        fmt::format("{}: only the first {} of {} meshes have pictures.", dataset, group.runs.size(), meshes));
   }
   return group;
 }
@@ -66,7 +68,7 @@ PictureGroup grid_group(const SizingGrid& grid) {
   return group;
 }
 
-// Its own files next to it tell what a run kept.
+// Artefacts are files beside the mesh of a run.
 bool kept(const fs::path& folder, const RunRecord& run, const char* artefact) {
   return run.request.artefacts && fs::exists(folder / run.request.run / artefact);
 }
@@ -79,25 +81,26 @@ bool all_there(const PictureGroup& group, const fs::path& folder) {
 }
 
 std::string caption_of(const RunRecord& run, const std::string& shot) {
-  if (shot == shots::closer) return "closer";
+  if (shot == shots::closer) return "close up";
   if (shot == shots::whole) return fmt::format("{} triangles", run.measurement->number("triangles"));
   if (shot == shots::worst) return "radius ratio " + significant(run.measurement->number("radius_ratio_min"), 3);
-  if (shot == shots::medial_axis) return "the medial axis inside, coloured by its distance to the surface, mm";
-  if (shot == shots::initial_sizing) return "the longest edges that sampling allows, h0, mm";
-  if (shot == shots::limited_sizing) return "the same with its growth limited, h, mm";
-  return "the particles, before they are connected";
+  if (shot == shots::medial_axis)
+    return "the medial axis inside the surface, coloured by its distance to the surface, mm";
+  if (shot == shots::initial_sizing) return "h0, the longest edge that the sampling theory allows, mm";
+  if (shot == shots::limited_sizing) return "h, the same with its growth limited, mm";
+  return "the particles before they are connected";
 }
 
 const std::vector<std::pair<const char*, const char*>>& titles() {
   static const std::vector<std::pair<const char*, const char*>> all = {
       {shots::whole, "the whole mesh"},
-      {shots::closer, "the same place of each, closer"},
-      {shots::worst, "the worst triangle of each"},
+      {shots::closer, "the same place, close up"},
+      {shots::worst, "the worst triangle of each mesh"},
       {shots::medial_axis, "the medial axis"},
       {shots::initial_sizing, "the initial sizing field"},
       {shots::limited_sizing, "the limited sizing field"},
       {shots::particles, "the particles"},
-      {shots::particles_closer, "the particles, closer"}};
+      {shots::particles_closer, "the particles, close up"}};
   return all;
 }
 
@@ -129,10 +132,10 @@ void list_others(const PictureGroup& group, const fs::path& folder, Pictures& pi
     }
     const fs::path counts = folder / group.file(run, PictureGroup::over_h, "txt");
     if (!fs::exists(counts)) continue;
-    EdgesOverH over{group.dataset, group.names[n], {}};
+    EdgesOverH edges{group.dataset, group.names[n], {}};
     std::istringstream text(read_text(counts));
-    for (std::uint32_t count = 0; text >> count;) over.counts.push_back(count);
-    pictures.edges_over_h.push_back(std::move(over));
+    for (std::uint32_t count = 0; text >> count;) edges.counts.push_back(count);
+    pictures.edges_over_h.push_back(std::move(edges));
   }
 }
 
@@ -150,16 +153,17 @@ void remove_others(const std::vector<PictureGroup>& groups, const fs::path& fold
   for (const fs::path& other : others) fs::remove_all(other);
 }
 
-// What the drawing program said of what it could not do, a sentence a line.
-std::vector<std::string> have_drawn(const fs::path& folder) {
+// Runs the drawing program. Returns what it could not draw, one sentence a line of its output.
+std::vector<std::string> run_drawing_program(const fs::path& folder) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "isobench-pictures";
-  if (!fs::exists(program)) return {"Pictures cannot be drawn: " + program.string() + " is not there; build it."};
+  if (!fs::exists(program)) return {"Pictures cannot be drawn: " + program.string() + " is missing; build it."};
   const ScratchFolder scratch(folder);
   const bool ended_well = run_tool({program.string(), fs::absolute(folder).string()}, scratch.path());
   std::vector<std::string> sentences;
-  std::istringstream log(fs::exists(scratch.path() / "log.txt") ? read_text(scratch.path() / "log.txt") : "");
+  std::istringstream log(read_text_or_empty(scratch.path() / "log.txt"));
   for (std::string line; std::getline(log, line);) sentences.push_back(line);
-  if (!ended_well && sentences.empty()) sentences.emplace_back("The program that draws pictures broke off.");
+  if (!ended_well && sentences.empty())
+    sentences.emplace_back("isobench-pictures, the program that draws pictures, crashed.");
   return sentences;
 }
 
@@ -219,9 +223,9 @@ Pictures make_pictures(const Results& results, const fs::path& folder) {
   Pictures pictures;
   fs::create_directories(folder / "pictures");
   const std::vector<PictureGroup> groups = picture_groups(results, pictures.missing);
-  const auto whole = [&folder](const PictureGroup& group) { return all_there(group, folder); };
-  if (!std::all_of(groups.begin(), groups.end(), whole)) {
-    for (std::string& sentence : have_drawn(folder)) pictures.missing.push_back(std::move(sentence));
+  const auto complete = [&folder](const PictureGroup& group) { return all_there(group, folder); };
+  if (!std::all_of(groups.begin(), groups.end(), complete)) {
+    for (std::string& sentence : run_drawing_program(folder)) pictures.missing.push_back(std::move(sentence));
   }
   remove_others(groups, folder);
   for (const PictureGroup& group : groups) {

@@ -1,5 +1,5 @@
-// The pictures of a results folder: which there are, and how they come to be there. They are drawn by a program of its
-// own, isobench-pictures, which alone loads the libraries for that.
+// The pictures of a results folder: which ones there are, and how they are made. A separate program, isobench-pictures,
+// draws them, because only this program loads the libraries for drawing.
 #pragma once
 
 #include <filesystem>
@@ -11,35 +11,36 @@
 
 namespace isobench {
 
-/// Runs whose meshes are seen by one camera: those of a dataset, or those of a grid of ε and δ. Of several seeds or
+/// Runs whose meshes are drawn with the same views: all of a data set, or all of a grid of ε and δ. Of several seeds or
 /// repeats the first finished run is drawn.
 struct PictureGroup {
   std::string dataset;
   std::string title;
   bool grid = false;
-  std::size_t across = 0;  ///< of a grid: how many stand in a row
+  std::size_t across = 0;  ///< number of pictures in a row of a grid
   std::vector<const RunRecord*> runs;
-  std::vector<std::string> names;      ///< of each run within the group
-  std::size_t turnable_triangles = 0;  ///< the most that the page's copy of a mesh has
-  std::string key;                     ///< of all that pictures depend on
+  std::vector<std::string> names;      ///< title of each run within the group
+  std::size_t turnable_triangles = 0;  ///< the page's copy of a mesh has at most this many
+  std::string key;                     ///< changes with everything that the pictures depend on
 
-  /// Path of a file of a run in the results folder: a shot's, or another's of these names.
+  /// Path of a file in the results folder: the picture of a shot, or one of the files named below.
   std::string file(const RunRecord& run, const std::string& name, const char* ending = "png") const;
   static constexpr const char* turn = "turn";              ///< .mesh
   static constexpr const char* turn_worst = "turn-worst";  ///< .mesh
   static constexpr const char* over_h = "edges-over-h";    ///< .txt: EdgesOverH::counts
 };
 
-/// Points into `results`. As many groups and meshes as somebody looks at; `left_out` gets a sentence on what is not.
+/// All groups that are drawn; they point into `results`. Their number and size are limited; `left_out` gets one
+/// sentence for each data set whose meshes are not all drawn.
 std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out);
 
-/// What is drawn of a run: of one that kept its artefacts more than of others.
+/// The shots that are drawn of a run. A run that kept its artefacts has more of them.
 std::vector<std::string> shots_of(const PictureGroup& group, const RunRecord& run, const std::filesystem::path& folder);
-/// All files of a run; none is written unless the run is drawn.
+/// The files that drawing a run makes.
 std::vector<std::string> files_of(const PictureGroup& group, const RunRecord& run, const std::filesystem::path& folder);
 
-/// Has drawn into <folder>/pictures what is not there yet, from the stored meshes, and removes what is of no mesh of
-/// these any more. Cost: about half a second a mesh of 100,000 triangles and picture.
+/// Draws the pictures that are missing in <folder>/pictures from the stored meshes, and removes files that belong to
+/// none of these. Cost: about half a second for each picture of a mesh with 100,000 triangles.
 Pictures make_pictures(const Results& results, const std::filesystem::path& folder);
 
 }  // namespace isobench

@@ -35,7 +35,7 @@ namespace isobench {
 
 namespace {
 
-// Debian's GLEW also looks for an X server and complains that there is none although all functions were loaded.
+// Debian's GLEW reports an error without an X server although it has loaded all functions, so its result is ignored.
 class Window : public vtkGenericOpenGLRenderWindow {
  public:
   static Window* New();  // NOLINT(readability-identifier-naming): VTK's name
@@ -51,7 +51,7 @@ vtkStandardNewMacro(Window)
 
     [[noreturn]] void no_opengl(const std::string& what) {
   throw Error("pictures cannot be drawn: " + what +
-              "; install Mesa's (apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri), then make the report again");
+              "; install Mesa (apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri), then make the report again");
 }
 
 vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Eigen::Vector3d>& positions, const Eigen::Vector3d& shift) {
@@ -82,10 +82,10 @@ vtkSmartPointer<vtkPolyData> to_vtk(const Scene& scene) {
   return data;
 }
 
-// The colours' bar has a strip of the width to itself.
+// The colour bar has the part of the width from here on.
 constexpr double bar_from = 0.83;
 
-// Viridis: even steps to the eye, and for colour-blind readers too; what is bad is dark.
+// Viridis: its steps look even, also to colour-blind readers. Bad triangles are dark.
 vtkSmartPointer<vtkColorTransferFunction> colours(const Scene& scene) {
   auto scale = vtkSmartPointer<vtkColorTransferFunction>::New();
   const auto at = [&scene](double share) { return scene.low + share * (scene.high - scene.low); };
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkActor> actor_of(const Scene& scene, vtkScalarsToColors* scale
   return actor;
 }
 
-// Little balls, lifted a little towards the eye, so that what they lie on does not swallow them.
+// Points as small balls, moved a little towards the eye so that the surface does not hide them.
 vtkSmartPointer<vtkActor> points_of(const Scene& scene, const View& view, vtkScalarsToColors* scale) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(to_vtk(scene.points, 0.01 * view.half_height * view.towards.normalized()));
@@ -139,7 +139,7 @@ vtkSmartPointer<vtkActor> points_of(const Scene& scene, const View& view, vtkSca
   return actor;
 }
 
-// A line around one triangle, before everything else.
+// The outline of one triangle, moved towards the eye so that nothing hides it.
 vtkSmartPointer<vtkActor> outline_of(const Scene& scene, const View& view) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
@@ -209,16 +209,16 @@ void aim(vtkCamera* camera, const View& view) {
 
 }  // namespace
 
-// A surfaceless context of Mesa, current in this thread for its life.
+// A surfaceless OpenGL context of Mesa. It is current in this thread as long as it exists.
 class Renderer::Context {
  public:
   Context() {
     const auto platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (platform_display == nullptr) no_opengl("EGL knows no platforms");
+    if (platform_display == nullptr) no_opengl("EGL has no eglGetPlatformDisplayEXT");
     display_ = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
-      no_opengl("there is no OpenGL without a display");
+      no_opengl("OpenGL does not start without a display");
     }
     eglBindAPI(EGL_OPENGL_API);
     constexpr std::array<EGLint, 7> wanted = {
@@ -230,11 +230,11 @@ class Renderer::Context {
     EGLConfig config = nullptr;
     EGLint found = 0;
     if (eglChooseConfig(display_, wanted.data(), &config, 1, &found) == EGL_FALSE || found == 0) {
-      no_opengl("EGL has no fitting configuration");
+      no_opengl("EGL has no suitable configuration");
     }
     surface_ = eglCreatePbufferSurface(display_, config, small.data());
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version.data());
-    if (eglMakeCurrent(display_, surface_, surface_, context_) == EGL_FALSE) no_opengl("OpenGL 3.2 is not there");
+    if (eglMakeCurrent(display_, surface_, surface_, context_) == EGL_FALSE) no_opengl("OpenGL 3.2 is missing");
   }
   ~Context() {
     if (display_ == EGL_NO_DISPLAY) return;
@@ -284,7 +284,7 @@ Drawing Renderer::draw(const Scene& scene, const View& view) {
   window->AddRenderer(renderer);
   window->AddRenderer(strip);
   renderer->ResetCameraClippingRange();
-  // VTK keeps the near plane away from the eye by a share of the depth: far behind what a close view looks at.
+  // VTK puts the near plane at a fixed share of the depth, which in a close view is behind the triangle to be shown.
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetClippingRange(0.01 * view.eye_distance, std::max(camera->GetClippingRange()[1], view.eye_distance * 2.0));
   window->Render();

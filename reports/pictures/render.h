@@ -1,4 +1,4 @@
-// Meshes drawn by VTK without a display.
+// Draws meshes with VTK, without a display.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,47 +14,47 @@ namespace isobench {
 
 /// A parallel projection, mm.
 struct View {
-  Eigen::Vector3d focus;      ///< the middle of the picture
-  Eigen::Vector3d towards;    ///< from there to the eye; any length
-  double half_height = 1.0;   ///< of what the picture shows
-  double eye_distance = 1.0;  ///< what is nearer to the eye's side than this is not seen
+  Eigen::Vector3d focus;      ///< the point in the middle of the picture
+  Eigen::Vector3d towards;    ///< direction from the focus to the eye; any length
+  double half_height = 1.0;   ///< half of the height that the picture shows
+  double eye_distance = 1.0;  ///< from the focus to the eye; what is behind the eye is not drawn
 };
 
-/// What is drawn: triangles in the colours of their values or of their corners', grey where they have none, with edges
-/// where asked for, one triangle outlined; and points, dark where they have no values.
+/// What is drawn: a mesh and points, or one of them. Triangles are coloured by their own values or by the values of
+/// their vertices, else grey. Points are coloured by their values, else dark blue.
 struct Scene {
-  const TriangleMesh* mesh = nullptr;  ///< none: points alone
-  std::vector<double> values;          ///< one a triangle
-  std::string legend;                  ///< of the colours, for their bar; "": no bar
-  bool edges = true;
-  std::optional<std::size_t> outlined;
-  std::vector<double> vertex_values;  ///< one a vertex, in the place of the triangles' own
+  const TriangleMesh* mesh = nullptr;   ///< nullptr: points only
+  std::vector<double> values;           ///< one for each triangle, or empty
+  std::string legend;                   ///< title of the colour bar; "": no bar
+  bool edges = true;                    ///< draws the edges of the triangles
+  std::optional<std::size_t> outlined;  ///< a triangle with a red outline
+  std::vector<double> vertex_values;    ///< one for each vertex, or empty; used instead of `values`
   std::vector<Eigen::Vector3d> points;
   std::vector<double> point_values;
   double point_size = 4.0;  ///< pixels
-  double low = 0.0;         ///< what the darkest colour means, and
-  double high = 1.0;        ///< the brightest
+  double low = 0.0;         ///< value of the darkest colour
+  double high = 1.0;        ///< value of the brightest colour
 };
 
-/// One picture as two files: PNG without a loss, and JPEG, which takes a fifth of the room.
+/// One picture as the contents of two files: PNG without loss, and JPEG, which is a fifth as large.
 struct Drawing {
   std::string png;
   std::string jpeg;
 };
 
-/// Raised when the same scene and view come out as another picture.
+/// To be raised when the same scene and view give another picture, so that stored pictures are drawn again.
 inline constexpr int render_revision = 2;
 
-/// Draws into memory, with the processor alone: no display, no graphics card. One at a time in a process.
+/// Draws into memory, without display or graphics card. A process must not have two of them at a time.
 class Renderer {
  public:
-  /// Throws Error, with the remedy, where Mesa's EGL is not installed.
+  /// Throws Error, with the remedy, if Mesa's EGL is not installed.
   Renderer(int width, int height);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// A view with nothing in it is white with the bar.
+  /// An empty scene gives a white picture with the colour bar.
   Drawing draw(const Scene& scene, const View& view);
 
  private:

@@ -1,4 +1,4 @@
-// For tests: the pixels of a picture.
+// For tests: reads the pixels of a picture.
 #pragma once
 
 #include <vtkImageData.h>
@@ -30,7 +30,7 @@ class Pixels {
     const auto* pixel = static_cast<unsigned char*>(reader_->GetOutput()->GetScalarPointer(x, y, 0));
     return {pixel[0], pixel[1], pixel[2]};
   }
-  // How many pixels left of the bar pass.
+  // The number of pixels left of the colour bar that pass the test.
   template <class Test>
   int count(Test&& passes) const {
     int count = 0;

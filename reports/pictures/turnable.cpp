@@ -61,7 +61,7 @@ TriangleMesh from_vtk(vtkPolyData* data) {
   return mesh;
 }
 
-// Cells of one size in all directions, so many along the longest side of the box.
+// Clusters the vertices in cubic cells; `cells` is their number along the longest side of the box.
 TriangleMesh clustered(vtkPolyData* data, const Eigen::AlignedBox3d& box, double cells) {
   const double side = box.sizes().maxCoeff() / cells;
   const auto divisions = [side](double length) { return std::max(1, static_cast<int>(std::ceil(length / side))); };
@@ -83,7 +83,7 @@ std::vector<double> least_values(const TriangleMesh& copy, const ValuedMesh& mes
     near = tree.nearest(places[t], near).first;
     least[near] = std::min(least[near], mesh.values[t]);
   }
-  // What stands for none takes its neighbour's.
+  // A triangle that replaces none gets the value of the nearest original triangle.
   const PointTree original(places);
   for (std::size_t t = 0; t < least.size(); ++t) {
     if (least[t] > 1.0) least[t] = mesh.values[original.nearest(centres[t]).first];
@@ -91,7 +91,7 @@ std::vector<double> least_values(const TriangleMesh& copy, const ValuedMesh& mes
   return least;
 }
 
-// Ten bits of each coordinate, interleaved: what is near in space comes near in the file.
+// Morton code of ten bits of each coordinate, so that triangles near in space are near in the file.
 std::uint32_t place_on_curve(const Eigen::Vector3d& offset) {
   std::uint32_t code = 0;
   for (unsigned axis = 0; axis < 3; ++axis) {
@@ -137,7 +137,7 @@ ValuedMesh simplified(ValuedMesh mesh, std::size_t most) {
   if (mesh.mesh.triangles.size() <= most) return mesh;
   const vtkSmartPointer<vtkPolyData> data = to_vtk(mesh.mesh);
   const Eigen::AlignedBox3d box = box_of(mesh.mesh);
-  // The number of triangles goes as the square of the number of cells along a side, more or less.
+  // The number of triangles is about proportional to the square of the number of cells along a side.
   double cells = std::sqrt(static_cast<double>(most));
   ValuedMesh copy;
   for (int tries = 0; tries < 12; ++tries) {

@@ -22,7 +22,7 @@ Number number_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-// Reads it back as the page's script does.
+// Reads a file as the page's script does.
 ValuedMesh read_back(const std::string& bytes) {
   const auto vertices = number_at<std::uint32_t>(bytes, 0);
   const auto triangles = number_at<std::uint32_t>(bytes, 4);
@@ -56,7 +56,7 @@ ValuedMesh read_back(const std::string& bytes) {
 
 using Corners = std::vector<std::array<double, 9>>;
 
-// The triangles as places, each from its least corner on, sorted: whatever their order in the file.
+// The triangles as coordinates in a normal order, because a file may have them in another order.
 Corners corners_of(const TriangleMesh& mesh, double step) {
   Corners all;
   for (const Triangle& t : mesh.triangles) {
@@ -74,7 +74,7 @@ Corners corners_of(const TriangleMesh& mesh, double step) {
 }
 
 TEST(Turnable, KeepsEveryTriangleWithinItsSteps) {
-  // Corners on whole numbers, so that rounding finds them again.
+  // Corners with whole coordinates, so that rounding gives them back exactly.
   const ValuedMesh mesh = valued(
       sample_meshes::together(sample_meshes::box({-7, -3, 0}, {5, 4, 9}), sample_meshes::box({-2, 1, 1}, {1, 2, 3})));
   const ValuedMesh back = read_back(turnable(mesh));
@@ -100,7 +100,7 @@ TEST(Turnable, CopiesHaveNoMoreTrianglesThanAskedForAndTheSameShape) {
     const double from_circle = std::hypot(std::hypot(vertex.x(), vertex.y()) - 2.0, vertex.z());
     EXPECT_NEAR(from_circle, 1.0, 0.02);
   }
-  // The bad one is seen in the copy, at its place.
+  // The bad triangle is seen in the copy, at the same place.
   const std::size_t dark =
       static_cast<std::size_t>(std::min_element(copy.values.begin(), copy.values.end()) - copy.values.begin());
   EXPECT_DOUBLE_EQ(copy.values[dark], 0.1);

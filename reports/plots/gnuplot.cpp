@@ -8,7 +8,8 @@
 #include <fstream>
 #include <set>
 
-#include "isobench/foundation/run_tool.h"
+#include "isobench/foundation/files/whole_files.h"
+#include "isobench/foundation/processes/run_command.h"
 #include "isobench/reports/record/record.h"
 
 namespace isobench {
@@ -17,13 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Okabe and Ito's colours, which colour-blind readers can tell apart too, without the yellow, which white swallows.
+// The colours of Okabe and Ito, which colour-blind readers can tell apart, too. Yellow is left out: it cannot be seen
+// on white.
 constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                 "#E69F00", "#56B4E9", "#000000"};
 constexpr std::array<int, 4> dashes = {1, 2, 4, 5};
 constexpr std::array<int, 4> shapes = {6, 4, 8, 12};
 
-// gnuplot's single quotes take everything as it is but themselves and the end of a line.
+// In single quotes gnuplot changes nothing; only single quotes and line ends need care.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
@@ -41,9 +43,9 @@ std::string double_quoted(std::string text) {
 
 std::string plot_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "NaN"; }
 
-bool in_categories(const Plot& plot) { return plot.marks == Marks::bars || plot.marks == Marks::stack; }
+bool has_categories(const Plot& plot) { return plot.marks == Marks::bars || plot.marks == Marks::stack; }
 
-// Each series a block of its own name.
+// The numbers, as one named data block for each series.
 std::string data_blocks(const Plot& plot) {
   std::string text;
   for (std::size_t n = 0; n < plot.series.size(); ++n) {
@@ -51,7 +53,7 @@ std::string data_blocks(const Plot& plot) {
     text += fmt::format("$series{} << END\n", n + 1);
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       text += plot_number(series.x[i]) + " " + plot_number(series.y[i]);
-      if (in_categories(plot)) text += fmt::format(" {}", double_quoted(plot.categories[i]));
+      if (has_categories(plot)) text += fmt::format(" {}", double_quoted(plot.categories[i]));
       text += "\n";
     }
     text += "END\n";
@@ -84,7 +86,7 @@ std::string style_of(const Plot& plot, const Series& series) {
 std::string ranges(const Plot& plot) {
   std::string text;
   if (plot.x_low < plot.x_high) text += fmt::format("set xrange [{}:{}]\n", plot.x_low, plot.x_high);
-  if (!plot.log_y) text += in_categories(plot) || plot.marks == Marks::steps ? "set yrange [0:*]\n" : "";
+  if (!plot.log_y) text += has_categories(plot) || plot.marks == Marks::steps ? "set yrange [0:*]\n" : "";
   if (plot.log_x) text += "set logscale x\n";
   if (plot.log_y) text += "set logscale y\n";
   if (plot.marks == Marks::points || plot.marks == Marks::joined) {
@@ -99,12 +101,7 @@ std::string ranges(const Plot& plot) {
   return text;
 }
 
-std::string text_in(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-// Nothing of an earlier report stays to be mistaken for one of this.
+// A plot of an earlier report must not be mistaken for one of this report.
 void remove_others(const fs::path& folder, const std::vector<Plot>& plots) {
   std::set<std::string> names;
   for (const Plot& plot : plots) names.insert(plot.name);
@@ -116,14 +113,14 @@ void remove_others(const fs::path& folder, const std::vector<Plot>& plots) {
 }
 
 bool is_svg(const fs::path& path) {
-  const std::string text = text_in(path);
+  const std::string text = read_text_or_empty(path);
   return text.find("<svg") != std::string::npos && text.find("</svg>") != std::string::npos;
 }
 
 }  // namespace
 
 std::string gnuplot_script(const Plot& plot) {
-  // Room for the legend: under the plot it takes from its height.
+  // The legend stands under the plot, so a longer one needs a higher picture.
   const std::size_t rows = (plot.series.size() + 3) / 4;
   std::string text = fmt::format(
       "# gnuplot 5.4: draws {0}.svg, in this folder\n"
@@ -140,7 +137,7 @@ std::string gnuplot_script(const Plot& plot) {
   for (std::size_t n = 0; n < plot.series.size(); ++n) {
     const Series& series = plot.series[n];
     text += fmt::format("{}$series{} using {} {} title {}", n == 0 ? "" : ", \\\n     ", n + 1,
-                        in_categories(plot) ? "2:xtic(3)" : "1:2", style_of(plot, series), quoted(series.name));
+                        has_categories(plot) ? "2:xtic(3)" : "1:2", style_of(plot, series), quoted(series.name));
   }
   return text + "\n";
 }
@@ -151,10 +148,10 @@ Drawn draw(const std::vector<Plot>& plots, const fs::path& folder) {
   for (const Plot& plot : plots) {
     const fs::path script = folder / (plot.name + ".gp");
     const std::string text = gnuplot_script(plot);
-    if (text_in(script) == text && is_svg(folder / (plot.name + ".svg"))) continue;
+    if (read_text_or_empty(script) == text && is_svg(folder / (plot.name + ".svg"))) continue;
     fs::remove(folder / (plot.name + ".svg"));
     write_text(script, text);
-    // A process each, so that one that cannot be drawn costs only itself.
+    // One process for each plot: if gnuplot fails on one, the others are still drawn.
     run_tool({"gnuplot", script.filename().string()}, folder);
   }
   fs::remove(folder / "log.txt");
@@ -164,8 +161,8 @@ Drawn draw(const std::vector<Plot>& plots, const fs::path& folder) {
   }
   if (drawn.names.size() < plots.size()) {
     drawn.missing = fmt::format(
-        "{} of {} plots could not be drawn: gnuplot is not there or failed. Install it (apt-get install gnuplot-nox), "
-        "then make the report again; the numbers and scripts are in {}.",
+        "{} of {} plots could not be drawn, because gnuplot is missing or failed. Install it (apt-get install "
+        "gnuplot-nox), then make the report again. The numbers and scripts are in {}.",
         plots.size() - drawn.names.size(), plots.size(), folder.filename().string());
   }
   return drawn;

@@ -1,4 +1,4 @@
-// Plots drawn by gnuplot as SVG.
+// Plots as SVG, drawn by gnuplot.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,17 @@
 
 namespace isobench {
 
-/// A script that draws a plot into <name>.svg, its numbers included: whoever wants it another way changes the script.
+/// A script that draws a plot into <name>.svg. It contains the numbers, so a reader can change the plot by hand.
 std::string gnuplot_script(const Plot& plot);
 
-/// What a set of plots came to: which of them are there as SVG now, and a sentence on what is missing and how to get
-/// it.
+/// The outcome of drawing several plots.
 struct Drawn {
-  std::vector<std::string> names;
-  std::string missing;  ///< "" where nothing is
+  std::vector<std::string> names;  ///< of the plots that have an SVG file now
+  std::string missing;             ///< a sentence on what is missing, with the remedy; "" if nothing is
 };
 
-/// Makes <folder>/<name>.gp and <folder>/<name>.svg of each plot and removes what was there of others. One that is
-/// there already by the same script is kept. Without gnuplot there are the scripts alone.
+/// Writes <folder>/<name>.gp and <folder>/<name>.svg for each plot and removes all other files from the folder. A plot
+/// whose script did not change is not drawn again. Without gnuplot only the scripts are written.
 Drawn draw(const std::vector<Plot>& plots, const std::filesystem::path& folder);
 
 }  // namespace isobench

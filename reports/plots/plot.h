@@ -1,4 +1,4 @@
-// A plot before it is drawn: what is on it, in numbers and words.
+// A plot before it is drawn: its numbers and words.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 namespace isobench {
 
 enum class Marks {
-  steps,   ///< a histogram's outline; x is the middle of a bin
+  steps,   ///< the outline of a histogram; x is the middle of a bin
   lines,   ///< a curve
-  points,  ///< a cloud
-  joined,  ///< points and the line through them
-  bars,    ///< beside each other, in groups by Plot::categories; x counts the categories
-  stack,   ///< on top of each other, as above
+  points,  ///< a scatter plot
+  joined,  ///< points and a line through them
+  bars,    ///< bars beside each other, grouped by Plot::categories; x is the number of the category
+  stack,   ///< the same with bars on top of each other
 };
 
-/// y over x. `colour` picks one of few that differ for colour-blind readers, too, and a dash or a point's shape where
-/// they run out: the same number looks the same in every plot.
+/// y over x. `colour` chooses one of seven colours that colour-blind readers can tell apart, too; higher numbers repeat
+/// the colours with other dashes and point shapes. The same number looks the same in every plot.
 struct Series {
   std::string name;
   std::size_t colour = 0;
@@ -26,18 +26,18 @@ struct Series {
 };
 
 struct Plot {
-  std::string name;     ///< of its file, without the ending
-  std::string kind;     ///< of plots that are looked at side by side, those of several datasets
-  std::string title;    ///< what is shown, of what
-  std::string caption;  ///< one or two sentences for beside it
+  std::string name;     ///< of the file, without its ending
+  std::string kind;     ///< the same for plots that show the same thing for several data sets
+  std::string title;    ///< what is shown and for which data set
+  std::string caption;  ///< one or two sentences under the plot
   std::string x_label;  ///< with the unit
   std::string y_label;
   Marks marks = Marks::lines;
   bool log_x = false;
   bool log_y = false;
-  double x_low = 0.0;  ///< shown range; that of the data where both are 0
+  double x_low = 0.0;  ///< the range that is shown; if both are 0, the range of the data
   double x_high = 0.0;
-  std::vector<std::string> categories;  ///< of bars and stacks
+  std::vector<std::string> categories;  ///< for bars and stacks
   std::vector<Series> series;
   bool empty() const { return series.empty(); }
 };

@@ -1,4 +1,4 @@
-// All plots of a results folder, fit for files and eyes.
+// All plots of a results folder, with names for files and no more series than a reader can tell apart.
 #include "isobench/reports/plots/plots.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace isobench {
 
 namespace {
 
-// Names become those of files: letters, digits, dots and dashes, and each only once.
+// Makes names fit for files: unique, and only of letters, digits, dots and dashes.
 void make_file_names(std::vector<Plot>& plots) {
   std::set<std::string> taken;
   for (Plot& plot : plots) {
@@ -24,13 +24,13 @@ void make_file_names(std::vector<Plot>& plots) {
   }
 }
 
-// More than these nobody tells apart.
+// Nobody can tell apart more than these.
 constexpr std::size_t most_series = 16;
 constexpr std::size_t most_categories = 24;
 
 void keep_readable(Plot& plot) {
   if (plot.marks == Marks::stack && plot.categories.size() > most_categories) {
-    plot.caption += fmt::format(" Of {} the first {}.", plot.categories.size(), most_categories);
+    plot.caption += fmt::format(" Shown are the first {1} of {0} methods.", plot.categories.size(), most_categories);
     plot.categories.resize(most_categories);
     for (Series& series : plot.series) {
       series.x.resize(std::min(series.x.size(), most_categories));
@@ -38,7 +38,7 @@ void keep_readable(Plot& plot) {
     }
   }
   if (plot.marks != Marks::stack && plot.series.size() > most_series) {
-    plot.caption += fmt::format(" Of {} the first {}.", plot.series.size(), most_series);
+    plot.caption += fmt::format(" Shown are the first {1} of {0} series.", plot.series.size(), most_series);
     plot.series.resize(most_series);
   }
 }

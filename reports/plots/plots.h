@@ -1,4 +1,4 @@
-// The plots of a results folder, from what its records hold.
+// The plots of a results folder, made from its records.
 #pragma once
 
 #include <vector>
@@ -10,27 +10,26 @@
 
 namespace isobench {
 
-/// Everything that there is something to draw of, in the order in which a reader wants it; `over_h` is what the runs
-/// that kept their sizing field have. A label has one colour in all of them. Histograms sum the runs of several seeds
-/// or repeats; as in the tables only meshes that are closed manifolds count while there are any (gated()). Curves are
-/// of one run.
+/// All plots that have data, the most important first. `over_h` comes from the runs that kept their sizing field. A
+/// method has the same colour in all plots. Histograms add up the runs of several seeds or repeats, as far as they
+/// count (counted_runs()). Traces and stages show one run.
 std::vector<Plot> all_plots(const Results& results, const std::vector<EdgesOverH>& over_h = {});
 
-// The single kinds, a plot a dataset unless it says otherwise; without those that would be empty.
+// The kinds of plots, one plot for each data set unless the comment says otherwise. Empty plots are left out.
 std::vector<Plot> radius_ratio_plots(const RunGrid& runs);  ///< the paper's Figure 5
 std::vector<Plot> edge_length_plots(const RunGrid& runs);   ///< the paper's Figures 3 and 4
 std::vector<Plot> angle_plots(const RunGrid& runs);
 std::vector<Plot> valence_plots(const RunGrid& runs);
-/// One for each dataset and trace ("energy", …) that a run of it recorded.
+/// One for each data set and each trace ("energy", …) that a run of it recorded.
 std::vector<Plot> trace_plots(const RunGrid& runs);
-/// Wall seconds of the stages of making the mesh.
+/// Wall seconds of each stage of meshing.
 std::vector<Plot> stage_plots(const RunGrid& runs);
-/// Of all datasets: radius ratios over numbers of vertices and seconds over numbers of vertices.
+/// For all data sets together: radius ratios and seconds over the number of vertices.
 std::vector<Plot> size_plots(const RunGrid& runs);
-/// Over δ, a curve each ε; of the grids that sizing_grids() finds.
+/// Figures over δ, one curve for each ε; one plot for each grid that sizing_grids() finds.
 std::vector<Plot> sizing_plots(const Results& results);
-/// The paper's Figure 3: how much nearer two particles with one between them are on a circle than on a line, and edge
-/// lengths over the sizing field that they were asked for.
+/// The paper's Figure 3. First how much nearer a particle and the next but one are on a circle than on a line; then,
+/// for each run in `over_h`, edge lengths divided by the sizing field h.
 std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// What meshes take, how a method comes to its end, and quality over size and sizing.
+// Plots of time, of traces, and of quality over the number of vertices and over ε and δ.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace isobench {
 
 namespace {
 
-// "mesh/relaxation" → "relaxation"; "" for what is no direct part of making the mesh.
+// "mesh/relaxation" → "relaxation"; "" for a stage that is not directly under "mesh".
 std::string part_of_meshing(const std::string& stage) {
   static const std::string outer = "mesh/";
   if (!stage.starts_with(outer) || stage.find('/', outer.size()) != std::string::npos) return "";
   return stage.substr(outer.size());
 }
 
-// Seconds of one part of a run; of "rest" what no part accounts for.
+// Seconds of one part of a run. "rest" is the time that no part accounts for.
 double seconds_of(const RunRecord& run, const std::string& part) {
   double sum = 0.0;
   for (const StageTime& stage : run.stages) {
@@ -32,7 +32,7 @@ double seconds_of(const RunRecord& run, const std::string& part) {
   return part == "rest" ? std::max(0.0, run.seconds_total - sum) : 0.0;
 }
 
-// Where several runs would be crowded together, in the order in which they first occur.
+// The parts of all runs, in the order in which they first occur, then "rest".
 std::vector<std::string> parts_of(const Runs& runs) {
   std::vector<std::string> parts;
   for (const RunRecord* run : runs) {
@@ -45,7 +45,7 @@ std::vector<std::string> parts_of(const Runs& runs) {
   return parts;
 }
 
-// For the end of a caption.
+// The end of a caption: which runs' seconds are compared.
 std::string timing_note(const RunGrid& runs) {
   const std::string remark = timing_remark(runs);
   return remark.empty() ? "" : " " + remark;
@@ -53,16 +53,16 @@ std::string timing_note(const RunGrid& runs) {
 
 double vertices_of(const RunRecord& run) { return run.measurement->number("vertices"); }
 
-// What a plot of points has of a variant on a dataset; of seconds only what was timed alike.
-Runs shown(const RunGrid& runs, const Variant& variant, const std::string& dataset, bool timed) {
+// The runs that a scatter plot shows. A plot of seconds shows only runs that were timed alike.
+Runs plotted_runs(const RunGrid& runs, const Variant& variant, const std::string& dataset, bool timed) {
   const Runs all = finished(find_runs(variant, dataset));
-  return timed ? timed_so(all, runs.timing) : all;
+  return timed ? runs_with_timing(all, runs.timing) : all;
 }
 
-std::size_t number_shown(const RunGrid& runs, bool timed) {
+std::size_t number_plotted(const RunGrid& runs, bool timed) {
   std::size_t count = 0;
   for (const Variant& variant : runs.variants) {
-    for (const std::string& dataset : runs.datasets) count += shown(runs, variant, dataset, timed).size();
+    for (const std::string& dataset : runs.datasets) count += plotted_runs(runs, variant, dataset, timed).size();
   }
   return count;
 }
@@ -73,16 +73,17 @@ double median_of(const Runs& runs, const Figure& figure) {
   return spread_of(std::move(values)).median;
 }
 
-// A point a finished run, of all datasets; where that would be a cloud, a point for the seeds and repeats of one cell.
+// One point for each finished run on any data set. Where these are too many, one point for all seeds and repeats of a
+// method on a data set.
 Plot over_vertices(const RunGrid& runs, const std::string& name, const std::string& y_label, const Figure& y,
                    bool timed = false) {
   constexpr std::size_t most_points = 2000;
-  const bool cloud = number_shown(runs, timed) > most_points;
+  const bool too_many = number_plotted(runs, timed) > most_points;
   Plot plot;
   plot.name = name + "-over-vertices";
   plot.title = y_label + " over the number of vertices, all data sets";
-  plot.caption =
-      (cloud ? "Medians over seeds and repeats." : "A point a finished run.") + (timed ? timing_note(runs) : "");
+  plot.caption = (too_many ? "Each point is a median over seeds and repeats." : "Each point is a finished run.") +
+                 (timed ? timing_note(runs) : "");
   plot.x_label = "vertices";
   plot.y_label = y_label;
   plot.marks = Marks::points;
@@ -90,8 +91,8 @@ Plot over_vertices(const RunGrid& runs, const std::string& name, const std::stri
   for (std::size_t n = 0; n < runs.variants.size(); ++n) {
     Series series{runs.variants[n].name, n, {}, {}};
     for (const std::string& dataset : runs.datasets) {
-      const Runs group = shown(runs, runs.variants[n], dataset, timed);
-      if (cloud && !group.empty()) {
+      const Runs group = plotted_runs(runs, runs.variants[n], dataset, timed);
+      if (too_many && !group.empty()) {
         series.x.push_back(median_of(group, vertices_of));
         series.y.push_back(median_of(group, y));
         continue;
@@ -110,7 +111,9 @@ Plot grid_plot(const SizingGrid& grid, const std::string& name, const std::strin
   Plot plot;
   plot.name = fmt::format("{}-over-sizing-{}-{}", name, grid.dataset, grid.label);
   plot.title = fmt::format("{} over δ and ε, {}, {}", label, grid.dataset, grid.label);
-  plot.caption = "Medians over the seeds. Smaller δ: a sizing that changes more slowly; smaller ε: denser sampling.";
+  plot.caption =
+      "Medians over the seeds. With a smaller δ the edge length changes more slowly. With a smaller ε the sampling is "
+      "denser.";
   plot.x_label = "δ";
   plot.y_label = label;
   plot.marks = Marks::joined;
@@ -121,10 +124,10 @@ Plot grid_plot(const SizingGrid& grid, const std::string& name, const std::strin
     for (const double delta : deltas) {
       const auto cell = grid.cells.find({grid.epsilons[e], delta});
       if (cell == grid.cells.end()) continue;
-      const Runs counting = gated(cell->second);
-      if (counting.empty()) continue;
+      const Runs counted = counted_runs(cell->second);
+      if (counted.empty()) continue;
       series.x.push_back(delta);
-      series.y.push_back(median_of(counting, figure));
+      series.y.push_back(median_of(counted, figure));
     }
     if (!series.x.empty()) plot.series.push_back(std::move(series));
   }
@@ -145,8 +148,8 @@ std::vector<Plot> trace_plots(const RunGrid& runs) {
     for (const std::string& name : names) {
       Plot plot;
       plot.name = fmt::format("trace-{}-{}", name, dataset);
-      plot.title = fmt::format("{} from step to step, {}", name, dataset);
-      plot.caption = "As the methods record it, a value a step, of one run each.";
+      plot.title = fmt::format("{} at each step, {}", name, dataset);
+      plot.caption = "One value for each step, as the method recorded it, from one run of each method.";
       plot.x_label = "step";
       plot.y_label = name;
       for (std::size_t n = 0; n < runs.variants.size(); ++n) {
@@ -168,14 +171,15 @@ std::vector<Plot> stage_plots(const RunGrid& runs) {
     Plot plot;
     plot.name = "stages-" + dataset;
     plot.title = "Seconds by stage, " + dataset;
-    plot.caption = "Wall seconds from the prepared volume to the mesh; of several runs the first. Shorter is better." +
-                   timing_note(runs);
+    plot.caption =
+        "Wall seconds from the prepared volume to the mesh, from one run of each method. Shorter is better." +
+        timing_note(runs);
     plot.x_label = "";
     plot.y_label = "seconds";
     plot.marks = Marks::stack;
     Runs shown;
     for (const Variant& variant : runs.variants) {
-      const Runs alike = timed_so(finished(find_runs(variant, dataset)), runs.timing);
+      const Runs alike = runs_with_timing(finished(find_runs(variant, dataset)), runs.timing);
       if (alike.empty()) continue;
       shown.push_back(alike.front());
       plot.categories.push_back(variant.name);

@@ -1,4 +1,4 @@
-// Histograms: of triangles, edges, angles and vertices.
+// Histograms of radius ratios, edge lengths, angles and valences.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 // The runs of one entry together, bin by bin; without bins where they do not fit together.
 Histogram sum(const Runs& runs, const std::string& histogram) {
   Histogram all;
-  for (const RunRecord* run : gated(runs)) {
+  for (const RunRecord* run : counted_runs(runs)) {
     const Histogram& next = run->measurement->histogram(histogram);
     if (all.counts.empty()) {
       all = next;
@@ -68,9 +68,10 @@ std::vector<Plot> radius_ratio_plots(const RunGrid& runs) {
   plot.name = "radius-ratio";
   plot.title = "Radius ratios of the triangles";
   plot.caption =
-      "2 r_in / r_circ: 1 is an equilateral triangle, 0 one without area. Laid out as Figure 5 of the paper.";
+      "Radius ratio = 2 × radius of the inscribed circle / radius of the circumscribed circle: 1 for an equilateral "
+      "triangle, 0 for one without area. Same axes as in Figure 5 of the paper.";
   plot.x_label = "radius ratio";
-  plot.y_label = "triangles, % a bin of 0.01";
+  plot.y_label = "% of the triangles in each bin of 0.01";
   plot.x_high = 1.0;
   return histogram_plots(runs, plot, "radius_ratio");
 }
@@ -78,13 +79,12 @@ std::vector<Plot> radius_ratio_plots(const RunGrid& runs) {
 std::vector<Plot> edge_length_plots(const RunGrid& runs) {
   Plot plot;
   plot.name = "edge-over-h0";
-  plot.title = "Edge lengths over h0";
+  plot.title = "Edge lengths divided by h0";
   plot.caption =
-      "h0 is the longest edge that the sampling theory allows at a place: right of 1 a mesh is too coarse there. What "
-      "is "
-      "longer than 2 stands in the last bin. Laid out as Figures 3 and 4 of the paper.";
+      "h0 is the longest edge that the sampling theory allows at a place. Right of 1 the mesh is too coarse there. The "
+      "last bin has all values above 2. Same axes as in Figures 3 and 4 of the paper.";
   plot.x_label = "edge length / h0";
-  plot.y_label = "edges, % a bin of 0.01";
+  plot.y_label = "% of the edges in each bin of 0.01";
   plot.x_high = 2.0;
   return histogram_plots(runs, plot, "edge_over_h0");
 }
@@ -95,12 +95,12 @@ std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
     Plot plot;
     plot.kind = "edge-over-h";
     plot.name = fmt::format("edge-over-h-{}-{}", edges.dataset, edges.method);
-    plot.title = fmt::format("Edge lengths over h, {}, {}", edges.dataset, edges.method);
+    plot.title = fmt::format("Edge lengths divided by h, {}, {}", edges.dataset, edges.method);
     plot.caption =
-        "h is the sizing field that the particles were asked for: the mean of both ends. The last bin has all "
-        "that is longer.";
+        "h is the sizing field that the particles should follow, here the mean of its values at both ends of the edge. "
+        "The last bin has all values above 2.";
     plot.x_label = "edge length / h";
-    plot.y_label = "edges, % a bin of 0.01";
+    plot.y_label = "% of the edges in each bin of 0.01";
     plot.marks = Marks::steps;
     plot.x_high = 2.0;
     Histogram histogram(0.0, 2.0, edges.counts.size());
@@ -112,12 +112,12 @@ std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
   if (plots.empty()) return plots;
   Plot circle;
   circle.kind = circle.name = "contraction";
-  circle.title = "Particles on a circle, equally spaced";
+  circle.title = "Equally spaced particles on a circle";
   circle.caption =
-      "How far two particles with one between them are apart, over twice the distance of neighbours, from "
-      "equation 6: neighbours are at most ε radii apart.";
-  circle.x_label = "distance of neighbours, radii of the circle";
-  circle.y_label = "distance of every second / twice that";
+      "The distance between a particle and the next but one, divided by twice the distance between neighbours (from "
+      "equation 6 of the paper). Neighbours are at most ε radii apart.";
+  circle.x_label = "distance between neighbours / radius of the circle";
+  circle.y_label = "distance to the next but one / twice that distance";
   circle.series.push_back({"on a circle", 0, {}, {}});
   circle.series.push_back({"on a line", 6, {0.0, 1.0}, {1.0, 1.0}});
   for (int n = 0; n <= 100; ++n) {
@@ -133,9 +133,9 @@ std::vector<Plot> angle_plots(const RunGrid& runs) {
   Plot plot;
   plot.name = "angle";
   plot.title = "Angles of the triangles";
-  plot.caption = "All three of each triangle; 60° is an equilateral one's.";
+  plot.caption = "All three angles of each triangle. An equilateral triangle has three of 60°.";
   plot.x_label = "angle, degrees";
-  plot.y_label = "angles, % a degree";
+  plot.y_label = "% of the angles in each degree";
   plot.x_high = 180.0;
   return histogram_plots(runs, plot, "angle");
 }
@@ -148,9 +148,9 @@ std::vector<Plot> valence_plots(const RunGrid& runs) {
     Plot plot;
     plot.name = "valence-" + dataset;
     plot.title = "Valences of the vertices, " + dataset;
-    plot.caption = "Edges at a vertex; 6 is regular.";
+    plot.caption = "The valence is the number of edges at a vertex. 6 is regular.";
     plot.x_label = "valence";
-    plot.y_label = "vertices, %";
+    plot.y_label = "% of the vertices";
     plot.marks = Marks::bars;
     for (std::size_t v = lowest; v <= highest; ++v) plot.categories.push_back(fmt::format("{}", v));
     plot.categories.front().insert(0, "≤ ");
@@ -158,7 +158,7 @@ std::vector<Plot> valence_plots(const RunGrid& runs) {
     for (std::size_t n = 0; n < runs.variants.size(); ++n) {
       Series series{runs.variants[n].name, n, {}, std::vector<double>(plot.categories.size(), 0.0)};
       std::size_t total = 0;
-      for (const RunRecord* run : gated(find_runs(runs.variants[n], dataset))) {
+      for (const RunRecord* run : counted_runs(find_runs(runs.variants[n], dataset))) {
         const std::vector<std::uint32_t>& counts = run->measurement->histogram("valence").counts;
         for (std::size_t v = 0; v < counts.size(); ++v) {
           series.y[std::clamp(v, lowest, highest) - lowest] += static_cast<double>(counts[v]);

@@ -5,15 +5,17 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "isobench/foundation/processes/child_process.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/foundation/testing/test_text.h"
+#include "isobench/foundation/testing/test_variable.h"
 #include "isobench/reports/plots/gnuplot.h"
 #include "isobench/reports/record/sample_records.h"
 
 namespace isobench {
 namespace {
 
-// Two datasets, two methods; of one run of the four there is no mesh.
+// Two data sets, two methods; one of the four runs has no mesh.
 Results results_for_plots() {
   Results results;
   results.name = "test";
@@ -27,9 +29,7 @@ Results results_for_plots() {
   return results;
 }
 
-bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
-
-TEST(Plots, RadiusRatiosOfAllMethodsLieOverEachOther) {
+TEST(Plots, RadiusRatiosOfAllMethodsAreInOnePlot) {
   const Results results = results_for_plots();
   const std::vector<Plot> plots = radius_ratio_plots(arrange_runs(results));
   ASSERT_EQ(plots.size(), 2U);
@@ -91,7 +91,7 @@ TEST(Plots, StagesAddUpToTheSecondsOfTheRun) {
   EXPECT_EQ(plot.series[2].name, "rest");
   EXPECT_DOUBLE_EQ(plot.series[0].y[0] + plot.series[1].y[0] + plot.series[2].y[0], 5.25);
   EXPECT_DOUBLE_EQ(plot.series[2].y[0], 0.25);
-  EXPECT_DOUBLE_EQ(plot.series[2].y[1], 3.25);  // sizing alone is of its stages
+  EXPECT_DOUBLE_EQ(plot.series[2].y[1], 3.25);  // of its stages only sizing has its own series
 }
 
 TEST(Plots, EveryTraceHasItsPlot) {
@@ -116,7 +116,7 @@ TEST(Plots, NamesAreFitForFilesAndUnique) {
 }
 
 TEST(Plots, AreDrawnWithAllTheirMarks) {
-  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
+  if (!has_program("gnuplot")) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
   const TestFolder folder;
   Results results = results_for_plots();
   results.records[0].request.label = "<ours> & 100 %_^{x}";
@@ -134,11 +134,11 @@ TEST(Plots, AreDrawnWithAllTheirMarks) {
   }
   const std::string ratios = read_text(folder.path() / "radius-ratio-pelvis.svg");
   EXPECT_NE(ratios.find("&lt;ours> &amp; 100 %_^{x}"), std::string::npos);
-  EXPECT_NE(ratios.find("triangles, % a bin of 0.01"), std::string::npos);
+  EXPECT_NE(ratios.find("% of the triangles in each bin of 0.01"), std::string::npos);
 }
 
 TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {
-  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
+  if (!has_program("gnuplot")) GTEST_SKIP() << "gnuplot is not installed (package gnuplot-nox)";
   const TestFolder folder;
   Results results = results_for_plots();
   draw(all_plots(results), folder.path());
@@ -154,10 +154,8 @@ TEST(Plots, OfTheSameNumbersAreLeftAsTheyAre) {
 
 TEST(Plots, WithoutGnuplotTheScriptsAreThereAndTheRemedy) {
   const TestFolder folder;
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", folder.path().c_str(), 1);
+  const TestVariable path("PATH", folder.path().string());
   const Drawn drawn = draw(all_plots(results_for_plots()), folder.path());
-  setenv("PATH", path.c_str(), 1);
   EXPECT_TRUE(drawn.names.empty());
   EXPECT_NE(drawn.missing.find("apt-get install gnuplot-nox"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "radius-ratio-pelvis.gp"));

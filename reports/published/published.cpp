@@ -36,7 +36,7 @@ PublishedQuantity quantity_from(const TomlValue& table) {
   return {table.require("name").as_string(), text_or(table, "unit"), text_or(table, "meaning")};
 }
 
-// Reads the number out of what was printed; "149 × 188 × 148" has none.
+// The number that was printed; "149 × 188 × 148" is none and leaves `value` empty.
 void parse_printed(PublishedFigure& figure) {
   std::string number = figure.printed;
   if (number.starts_with("<")) {
@@ -85,14 +85,14 @@ PublishedPlate plate_from(const TomlValue& table) {
   PublishedPlate plate;
   const TomlValue number = table.require("number");
   if (number.as_integer() < 1 || number.as_integer() > 1000) {
-    throw UsageError(number.place(), fmt::format("number is {}; a figure's is 1..1000", number.as_integer()));
+    throw UsageError(number.place(), fmt::format("number is {}; it must be 1 to 1000", number.as_integer()));
   }
   plate.number = static_cast<int>(number.as_integer());
   const TomlValue shows = table.require("shows");
   plate.shows = shows.as_string();
   if (std::find(plate_kinds().begin(), plate_kinds().end(), plate.shows) == plate_kinds().end()) {
     throw UsageError(shows.place(),
-                     "nothing is known that shows '" + plate.shows + "'" + suggestion(plate.shows, plate_kinds()));
+                     "unknown kind of plate '" + plate.shows + "'" + suggestion(plate.shows, plate_kinds()));
   }
   plate.dataset = text_or(table, "dataset");
   plate.caption = table.require("caption").as_string();

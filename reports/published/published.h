@@ -1,13 +1,13 @@
-// Published figures, read from a TOML file, to be shown beside ours:
+// Figures of a publication, read from a TOML file and shown beside ours:
 //
-//   source = "who, what, where"; short = "who year"; note = "what to keep in mind when comparing"
+//   source = "authors, title, journal"; short = "authors year"; note = "what to consider when comparing"
 //   [[method]]    printed = "ps", name = "particles-2007", beside = ["particles"]
 //   [[quantity]]  name = "radius_ratio_min", unit = "", meaning = "…"
 //   [[figures]]   table = "Table 2", method = "ps", dataset = "brain", radius_ratio_min = "0.18", …
 //   [[claim]]     see reports/published/published_claim.h
 //   [[plate]]     number = 6, shows = "mesh", dataset = "pelvis", caption = "…"
 //
-// Figures are strings exactly as printed: "0.40" is not "0.4", and "< 0.004" is a bound.
+// Figures are strings, exactly as printed: "0.40" has another precision than "0.4", and "< 0.004" is a bound.
 #pragma once
 
 #include <filesystem>
@@ -21,9 +21,9 @@
 namespace isobench {
 
 struct PublishedMethod {
-  std::string printed;              ///< as the publication calls it
-  std::string name;                 ///< ours
-  std::vector<std::string> beside;  ///< further methods of ours that it is shown beside
+  std::string printed;              ///< name in the publication
+  std::string name;                 ///< name of our method for it
+  std::vector<std::string> beside;  ///< more of our methods that its figures are shown beside
 };
 
 struct PublishedQuantity {
@@ -34,21 +34,21 @@ struct PublishedQuantity {
 
 struct PublishedFigure {
   std::string table;
-  std::string method;   ///< ours: PublishedMethod::name; empty where the figure is of the dataset
-  std::string dataset;  ///< "average" for a mean over the datasets
+  std::string method;   ///< PublishedMethod::name; "" for a figure of the data set itself
+  std::string dataset;  ///< "average" for the mean over the data sets
   std::string quantity;
   std::string printed;          ///< e.g. "0.40", "< 0.004"
-  std::optional<double> value;  ///< empty where it is no number, e.g. a size
-  int decimals = 0;             ///< digits printed after the point
+  std::optional<double> value;  ///< empty if it is not a number, e.g. "149 × 188 × 148"
+  int decimals = 0;             ///< digits after the point, as printed
   bool bound = false;           ///< printed with "<"
 };
 
-/// A figure, and what of ours is shown under its number.
+/// A figure (picture or plot) of the publication, and what we show under its number.
 struct PublishedPlate {
   int number = 0;
   std::string shows;    ///< one of plate_kinds()
-  std::string dataset;  ///< whose, where it is of one
-  std::string caption;  ///< in our words
+  std::string dataset;  ///< "" if the figure is not about a single data set
+  std::string caption;  ///< written by us
 };
 /// "pipeline", "sizing grid", "contraction", "edges over h0", "radius ratios", "mesh", "particles", "close-ups".
 const std::vector<std::string>& plate_kinds();
@@ -63,13 +63,13 @@ struct Published {
   std::vector<PublishedClaim> claims;
   std::vector<PublishedPlate> plates;
 
-  /// The figure to show beside a method of ours; nullptr where none was published.
+  /// The published figure to show beside our method; nullptr if there is none.
   const PublishedFigure* find(const std::string& quantity, const std::string& dataset, const std::string& method) const;
-  /// The published method shown beside one of ours; nullptr if none.
+  /// The published method that is shown beside our method; nullptr if there is none.
   const PublishedMethod* method_beside(const std::string& method) const;
 };
 
-/// Throws UsageError with the place for a key, method or quantity that is not declared.
+/// Throws UsageError with the place for an unknown key, method, quantity or figure.
 Published read_published(const std::filesystem::path& path);
 
 }  // namespace isobench

@@ -42,8 +42,8 @@ Relation relation_from(const TomlValue& order, const std::string& sign) {
     if (text == sign) return relation;
     known.push_back(text);
   }
-  throw UsageError(order.place(),
-                   fmt::format("'{}' is no relation between two methods; known are: {}", sign, fmt::join(known, ", ")));
+  throw UsageError(order.place(), fmt::format("'{}' is no relation between two methods; the known ones are: {}", sign,
+                                              fmt::join(known, ", ")));
 }
 
 bool upward(Relation relation) { return relation == Relation::below || relation == Relation::far_below; }
@@ -58,12 +58,12 @@ void read_order(PublishedClaim& claim, const TomlValue& order, const Published& 
       claim.relations.push_back(relation_from(order, word));
   }
   if (claim.order.size() < 2 || claim.order.size() == claim.relations.size()) {
-    throw UsageError(order.place(), "an order is of at least two methods, e.g. \"ps > af > mc\"");
+    throw UsageError(order.place(), "an order needs at least two methods, e.g. \"ps > af > mc\"");
   }
-  // Of "a > b < c" nothing follows for a and c where b was not run.
+  // "a > b < c" says nothing about a and c, so nothing could be tested where b was not run.
   if (std::any_of(claim.relations.begin(), claim.relations.end(), upward) &&
       std::any_of(claim.relations.begin(), claim.relations.end(), downward)) {
-    throw UsageError(order.place(), "an order goes one way; make two claims of one that turns");
+    throw UsageError(order.place(), "an order must not mix '>' and '<'; split it into two claims");
   }
 }
 
@@ -75,11 +75,13 @@ double positive(const TomlValue& value, double at_least, const std::string& what
   return number;
 }
 
-// `about` and `much` say what "~" and ">>" mean, so they stand exactly where those do.
+// `about` says what "~" means, `much` what ">>" and "<<" mean: each is required where its sign occurs, and refused
+// elsewhere.
 double meaning_of(const TomlValue& table, const std::string& key, const std::string& sign, bool used, double at_least) {
   const std::optional<TomlValue> value = table.find(key);
   if (used && !value) throw UsageError(table.place(), "the order uses '" + sign + "' but '" + key + "' is missing");
-  if (!used && value) throw UsageError(value->place(), "'" + key + "' has no '" + sign + "' in an order to explain");
+  if (!used && value)
+    throw UsageError(value->place(), "'" + key + "' explains '" + sign + "', which this claim does not use; remove it");
   return value ? positive(*value, at_least, key) : 0.0;
 }
 
@@ -108,14 +110,14 @@ void check_form(const PublishedClaim& claim, const TomlValue& table) {
   const int forms =
       (claim.order.empty() ? 0 : 1) + (claim.at_most || claim.at_least ? 1 : 0) + (claim.smaller.empty() ? 0 : 1);
   if (forms != 1) {
-    throw UsageError(table.place(), "a claim has exactly one form: order, at_most and at_least, or smaller and gives");
+    throw UsageError(table.place(), "a claim needs exactly one of: order; at_most or at_least; smaller with gives");
   }
   if (claim.order.empty() == claim.method.empty()) {
-    throw UsageError(table.place(), claim.order.empty() ? "the claim does not say of which method"
+    throw UsageError(table.place(), claim.order.empty() ? "the claim needs 'method' to say which method it is about"
                                                         : "the order names the methods; remove 'method'");
   }
   if (claim.average && claim.order.empty()) {
-    throw UsageError(table.place(), "data = \"average\" is for orders; remove it");
+    throw UsageError(table.place(), "data = \"average\" is only for a claim with 'order'; remove it");
   }
 }
 
@@ -158,28 +160,11 @@ PublishedClaim claim_from(const TomlValue& table, const Published& published) {
   return claim;
 }
 
-std::string rule_text(const PublishedClaim& claim) {
-  std::string text;
-  if (!claim.order.empty()) {
-    text = claim.order.front();
-    for (std::size_t i = 0; i < claim.relations.size(); ++i) {
-      for (const auto& [sign, relation] : relations()) {
-        if (relation == claim.relations[i]) text += " " + sign + " " + claim.order[i + 1];
-      }
-    }
-    text = fmt::format("{} of {}", text, fmt::join(claim.figures, " + "));
-    if (claim.about > 0.0) text += fmt::format("; ~ is within {} %", 100.0 * claim.about);
-    if (claim.much > 0.0) text += fmt::format("; >> and << are by a factor of {} or more", claim.much);
-    return text + (claim.average ? "; mean over the data sets" : "; on each data set");
+std::string to_string(Relation relation) {
+  for (const auto& [sign, known] : relations()) {
+    if (known == relation) return sign;
   }
-  text = fmt::format("{} of {}", fmt::join(claim.figures, " + "), claim.method);
-  if (!claim.smaller.empty()) {
-    return fmt::format("{} gets {} as {} gets smaller and nothing else changes; of several seeds the median", text,
-                       claim.gives_larger ? "larger" : "smaller", claim.smaller);
-  }
-  if (claim.at_least) text += fmt::format(" is at least {}", *claim.at_least);
-  if (claim.at_most) text += fmt::format("{} at most {}", claim.at_least ? " and" : " is", *claim.at_most);
-  return text + "; on each data set";
+  return "";
 }
 
 }  // namespace isobench

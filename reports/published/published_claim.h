@@ -1,15 +1,22 @@
-// What a publication claims, as data: a [[claim]] of the file of published figures. It has one of three forms:
+// A claim of a publication, as data: one [[claim]] of the file of published figures. Every claim has
 //
-//   words = "…", differs = "how what we test differs from what was published"
-//   figure = "radius_ratio_min"                 or a list: their sum; published = "…" is what the file calls it
+//   words = "…"                                 the claim in a sentence
+//   differs = "…"                               how our test differs from what was published; optional
+//   figure = "radius_ratio_min"                 a figure of results.csv, or a list of figures, which are added up
+//   published = "…"                             the file's name for this quantity, where it is not the figure's
 //
-//   order = "ps > af > mc"                      on every data set, or with data = "average" on the mean over them;
-//   about = 0.03, much = 1.25                   "~" within so much, relative; ">>" and "<<" by at least this factor
+// and one of three forms:
 //
-//   method = "ps", at_most = 0.008              or at_least; on every data set
+//   order = "ps > af > mc"                      methods in order, on every data set or, with data = "average", for the
+//                                               mean over the data sets
+//   about = 0.03, much = 1.25                   what "~" means: the values differ by at most this share; what ">>" and
+//                                               "<<" mean: the values differ by at least this factor
+//
+//   method = "ps", at_most = 0.008              a bound on every data set; also at_least, or both
 //
 //   method = "ps", smaller = "epsilon", gives = "smaller" or "larger"
-//                                               from run to run that differ in epsilon (or delta) alone
+//                                               a trend: where runs differ in epsilon (or delta) alone, a smaller
+//                                               epsilon gives a smaller (or larger) figure
 #pragma once
 
 #include <optional>
@@ -27,16 +34,18 @@ enum class Relation { about, below, above, far_below, far_above };
 struct PublishedClaim {
   std::string words;
   std::string differs;
-  std::vector<std::string> figures;  ///< summed
-  std::string quantity;              ///< as the published file calls it; "" where it gives none
+  std::vector<std::string> figures;  ///< added up
+  std::string quantity;              ///< the published file's name for it; "" where the file gives no values
 
-  std::vector<std::string> order;   ///< methods as printed, empty where the claim is of another form
-  std::vector<Relation> relations;  ///< between each of them and the next
-  double about = 0.0;
-  double much = 0.0;
-  bool average = false;
+  // An order.
+  std::vector<std::string> order;   ///< methods as printed; empty in a claim of another form
+  std::vector<Relation> relations;  ///< between each method and the next
+  double about = 0.0;               ///< meaning of "~"; 0 where it is not used
+  double much = 0.0;                ///< meaning of ">>" and "<<"; 0 where they are not used
+  bool average = false;             ///< tested for the mean over the data sets
 
-  std::string method;  ///< as printed, for the other two forms
+  // A bound or a trend.
+  std::string method;  ///< as printed
   std::optional<double> at_most;
   std::optional<double> at_least;
 
@@ -44,7 +53,10 @@ struct PublishedClaim {
   bool gives_larger = false;
 };
 
-/// Throws UsageError with the place for an unknown figure, method or key, a form that is not whole, or two at once.
+/// "~", "<", ">", "<<", ">>".
+std::string to_string(Relation relation);
+
+/// Throws UsageError with the place for an unknown figure, method or key, and unless the claim has exactly one form.
 PublishedClaim claim_from(const TomlValue& table, const Published& published);
 
 }  // namespace isobench

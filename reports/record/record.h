@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/monitor.h"
 #include "isobench/methods/parameters.h"
 #include "isobench/methods/sizing/sizing_field.h"
@@ -137,11 +137,5 @@ std::string to_json(const Measurement& measurement);
 std::string plan_to_json(const std::vector<RunRequest>& plan);
 void write_plan(std::ostream& file, const std::vector<RunRequest>& plan);
 std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin);
-
-/// Whole files. A file is written under a temporary name and then renamed, so no reader sees half of it.
-std::string read_text(const std::filesystem::path& path);
-void write_text(const std::filesystem::path& path, const std::string& text);
-/// The same for a text that is too long to be held in memory.
-void write_text(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace isobench

@@ -12,18 +12,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One planned run as it is found in its folder.
-struct Found {
+// What the folder of one planned run holds.
+struct StoredRun {
   std::optional<RunRecord> record;
-  std::string problem;  // with a record that is damaged
+  std::string problem;  // what is wrong with a damaged record
 };
 
-Found find(const fs::path& folder, const RunRequest& request) {
+StoredRun stored_run(const fs::path& folder, const RunRequest& request) {
   const fs::path path = folder / request.run / "run.json";
   if (!fs::exists(path)) return {};
   try {
-    Found found{read_record(path), ""};
-    // What is no part of the result is the plan's: renaming a label does not make another one.
+    StoredRun found{read_record(path), ""};
+    // Label and aside do not change the result, so the plan decides: a label can be renamed without a new run.
     found.record->request.label = request.label;
     found.record->request.aside = request.aside;
     return found;
@@ -32,8 +32,8 @@ Found find(const fs::path& folder, const RunRequest& request) {
   }
 }
 
-// What records have in common with each other is held once: of a hundred thousand it is most of what there is.
-class Common {
+// Keeps values that many records share in memory only once. With a hundred thousand records they are most of the data.
+class SharedParts {
  public:
   void share(RunRecord& record, const RunRequest& planned) {
     if (record.request.parameters == planned.parameters) record.request.parameters = planned.parameters;
@@ -46,7 +46,7 @@ class Common {
   SharedPool<NamedNumbers::Names> names_;
 };
 
-// A folder without its config still has its runs: the name will do.
+// Without a config in the folder, the folder's name is the title.
 std::string title_of(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "config.toml")) return name;
   const std::optional<TomlValue> title = TomlValue::parse_file(folder / "config.toml").find("title");
@@ -58,32 +58,33 @@ std::string title_of(const fs::path& folder, const std::string& name) {
 Results load_results(const fs::path& folder) {
   if (!fs::is_directory(folder) || !fs::exists(folder / "plan.json")) {
     throw DataError(folder.string() +
-                    ": no results folder (plan.json is missing); make one with: isobench run <config>");
+                    ": not a results folder (plan.json is missing); make one with: isobench run <config>");
   }
   Results results;
   results.name = fs::canonical(folder).filename().string();
   results.title = title_of(folder, results.name);
   std::vector<RunRequest> plan = plan_from_json(read_text(folder / "plan.json"), (folder / "plan.json").string());
   results.records.reserve(plan.size());
-  // Side by side, but a hundred thousand records are not to be held twice.
+  // Records are read in parallel, but in batches: a hundred thousand of them must not be in memory twice.
   constexpr std::size_t batch = 1024;
-  Common common;
-  std::vector<Found> found(std::min(batch, plan.size()));
+  SharedParts shared;
+  std::vector<StoredRun> found(std::min(batch, plan.size()));
   for (std::size_t start = 0; start < plan.size(); start += batch) {
     const std::size_t count = std::min(batch, plan.size() - start);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) { found[n] = find(folder, plan[start + n]); });
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t n) { found[n] = stored_run(folder, plan[start + n]); });
     for (std::size_t n = 0; n < count; ++n) {
       if (found[n].record) {
-        common.share(*found[n].record, plan[start + n]);
+        shared.share(*found[n].record, plan[start + n]);
         results.records.push_back(std::move(*found[n].record));
       } else {
         results.missing.push_back(std::move(plan[start + n]));
       }
       if (!found[n].problem.empty()) results.unreadable.push_back(std::move(found[n].problem));
-      plan[start + n] = {};  // its record says the same: both at once would be too much
+      plan[start + n] = {};  // frees memory; the record holds the same request
     }
   }
-  // Runs of an earlier revision or merged from elsewhere stay in the folder but not in the tables of this plan.
+  // Runs that the plan does not name (of an earlier revision, or merged from elsewhere) stay in the folder and out of
+  // the reports.
   if (fs::exists(folder / "published.toml")) results.published = read_published(folder / "published.toml");
   return results;
 }

@@ -1,4 +1,4 @@
-// A results folder read back: everything that reports are made from.
+// A results folder, read back. All reports are made from it.
 //
 //   results/<experiment>/config.toml, plan.json, published.toml
 //   results/<experiment>/<run>/run.json, mesh.vtp, log.txt
@@ -15,16 +15,16 @@
 namespace isobench {
 
 struct Results {
-  std::string name;                     ///< of the experiment: the folder's
-  std::string title;                    ///< as its config says it
-  std::vector<RunRequest> missing;      ///< planned, but no record yet
-  std::vector<RunRecord> records;       ///< in the order of the plan, then by name
-  std::vector<std::string> unreadable;  ///< a sentence for each record that is damaged
+  std::string name;                     ///< of the experiment, which is the folder's name
+  std::string title;                    ///< from the config
+  std::vector<RunRequest> missing;      ///< planned runs that have no readable record yet
+  std::vector<RunRecord> records;       ///< in the order of the plan
+  std::vector<std::string> unreadable;  ///< one sentence for each damaged record
   std::optional<Published> published;
 };
 
-/// Reads a results folder. A damaged record costs only itself: it is named in `unreadable`.
-/// Throws DataError where `folder` is no results folder.
+/// Reads a results folder. A damaged record does not stop the others from being read; `unreadable` names it.
+/// Throws DataError if `folder` is not a results folder.
 Results load_results(const std::filesystem::path& folder);
 
 }  // namespace isobench

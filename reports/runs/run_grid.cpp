@@ -11,10 +11,10 @@ namespace isobench {
 
 namespace {
 
-// What has to be said of a run so that no other of its dataset reads the same, but for seed and repeat.
-class Naming {
+// Names variants so that no two of one data set have the same name.
+class VariantNames {
  public:
-  explicit Naming(const std::vector<RunRecord>& records) {
+  explicit VariantNames(const std::vector<RunRecord>& records) {
     std::map<std::string, std::set<std::string>> sizings;
     std::map<std::string, std::set<int>> references;
     for (const RunRecord& record : records) {
@@ -49,25 +49,25 @@ std::string sizing_name(const SizingRequest& sizing) {
 }
 
 RunGrid arrange_runs(const Results& results) {
-  const Naming naming(results.records);
-  RunGrid arrangement;
+  const VariantNames name_of(results.records);
+  RunGrid grid;
   for (const RunRecord& record : results.records) {
     const RunRequest& request = record.request;
     if (request.aside) continue;
-    auto& datasets = arrangement.datasets;
+    auto& datasets = grid.datasets;
     if (std::find(datasets.begin(), datasets.end(), request.dataset) == datasets.end()) {
       datasets.push_back(request.dataset);
     }
-    const std::string name = naming(request);
-    auto variant = std::find_if(arrangement.variants.begin(), arrangement.variants.end(),
+    const std::string name = name_of(request);
+    auto variant = std::find_if(grid.variants.begin(), grid.variants.end(),
                                 [&name](const Variant& candidate) { return candidate.name == name; });
-    if (variant == arrangement.variants.end()) {
-      variant = arrangement.variants.insert(variant, Variant{name, request.method, {}});
+    if (variant == grid.variants.end()) {
+      variant = grid.variants.insert(variant, Variant{name, request.method, {}});
     }
     variant->runs[request.dataset].push_back(&record);
   }
-  arrangement.timing = usual_timing(arrangement);
-  return arrangement;
+  grid.timing = usual_timing(grid);
+  return grid;
 }
 
 const Runs& find_runs(const Variant& variant, const std::string& dataset) {

@@ -1,4 +1,4 @@
-// Runs arranged as tables show them: datasets one way, methods the other.
+// Runs arranged as the tables show them: methods in one direction, data sets in the other.
 #pragma once
 
 #include <map>
@@ -10,10 +10,9 @@
 
 namespace isobench {
 
-/// One method as it was run: its label, with sizing and reference k where the same label was run with several. Seeds
-/// and repeats are no variants of their own: they are the spread of one.
+/// One method as it was run, a row of most tables. Runs with different seeds or repeats belong to the same variant.
 struct Variant {
-  std::string name;
+  std::string name;  ///< the label; with sizing and reference k where the experiment has one label with several of them
   std::string method;
   std::map<std::string, Runs> runs;  ///< by dataset
 };
@@ -21,20 +20,18 @@ struct Variant {
 struct RunGrid {
   std::vector<std::string> datasets;  ///< in the order of the plan
   std::vector<Variant> variants;
-  std::string timing;  ///< usual_timing(): of these runs alone are seconds compared
+  std::string timing;  ///< usual_timing(): seconds are compared only between runs with this timing
 };
 
-/// The sizing that was asked for: "ε 0.5, δ 0.3", "2.2 mm", "5000 vertices", with the floor where it is not the
-/// default.
+/// The requested sizing: "ε 0.5, δ 0.3", "2.2 mm", "5000 vertices"; with the floor where it is not the default.
 std::string sizing_name(const SizingRequest& sizing);
 
-/// Of all runs but those that are aside. Points into `results`.
+/// Arranges all runs except those that are aside (RunRequest::aside). The grid points into `results`.
 RunGrid arrange_runs(const Results& results);
 
-/// The runs of a variant on a dataset, of every seed and repeat; empty where there is none.
+/// All runs of a variant on a dataset, over seeds and repeats; empty if there is none.
 const Runs& find_runs(const Variant& variant, const std::string& dataset);
-/// One of them that stands for all in what they share: the first that is finished, else the first; nullptr where there
-/// is none.
+/// One of these runs, for what all of them share: the first finished one, else the first; nullptr if there is none.
 const RunRecord* find_run(const Variant& variant, const std::string& dataset);
 
 }  // namespace isobench

@@ -21,12 +21,12 @@ Runs finished(const Runs& runs) {
   return result;
 }
 
-bool sound(const RunRecord& run) { return run.measurement && is_closed_manifold(*run.measurement); }
+bool is_closed_manifold(const RunRecord& run) { return run.measurement && is_closed_manifold(*run.measurement); }
 
-Runs gated(const Runs& runs) {
+Runs counted_runs(const Runs& runs) {
   Runs result = finished(runs);
-  const auto unsound = [](const RunRecord* run) { return !sound(*run); };
-  if (!std::all_of(result.begin(), result.end(), unsound)) std::erase_if(result, unsound);
+  const auto is_open = [](const RunRecord* run) { return !is_closed_manifold(*run); };
+  if (!std::all_of(result.begin(), result.end(), is_open)) std::erase_if(result, is_open);
   return result;
 }
 
@@ -59,7 +59,7 @@ Print to_significant(int digits) { return {Print::Digits::significant, digits}; 
 Print to_places(int places) { return {Print::Digits::places, places}; }
 Print as_number() { return {}; }
 
-std::string spread_label(const Runs& runs, bool gate) {
+std::string spread_label(const Runs& runs, bool counted_only) {
   if (runs.size() < 2) return "";
   std::set<std::uint64_t> seeds;
   std::set<int> repeats;
@@ -75,15 +75,16 @@ std::string spread_label(const Runs& runs, bool gate) {
   std::string text = fmt::format("{}", fmt::join(words, " × "));
   for (const auto& [status, count] : unfinished)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
-  const std::size_t left_out = finished(runs).size() - gated(runs).size();
-  if (left_out > 0) text += fmt::format("{}{} †{}", text.empty() ? "" : ", ", left_out, gate ? " left out" : "");
+  const std::size_t left_out = finished(runs).size() - counted_runs(runs).size();
+  if (left_out > 0)
+    text += fmt::format("{}{} †{}", text.empty() ? "" : ", ", left_out, counted_only ? " left out" : "");
   return text.empty() ? "" : " (" + text + ")";
 }
 
 std::size_t different_meshes(const Runs& runs) {
   std::map<std::uint64_t, std::vector<std::string>> of_seed;
   for (const RunRecord* run : finished(runs)) {
-    // Records of before there was a checksum say nothing.
+    // Old records have no checksum.
     if (!run->mesh_checksum.empty()) of_seed[run->request.seed].push_back(run->mesh_checksum);
   }
   std::size_t most = 0;

@@ -1,4 +1,4 @@
-// One figure over the runs of a table's cell: several seeds or repeats give the median and the range.
+// The runs behind one cell of a table, and the median and range of a figure over several seeds or repeats.
 #pragma once
 
 #include <functional>
@@ -9,23 +9,23 @@
 
 namespace isobench {
 
-/// Runs that differ in nothing but seed and repeat.
+/// Runs that differ only in seed and repeat.
 using Runs = std::vector<const RunRecord*>;
 
-/// The runs with figures.
+/// The runs that ended well and were measured.
 Runs finished(const Runs& runs);
-/// Whether a run's mesh is closed and manifold; false where it has none.
-bool sound(const RunRecord& run);
-/// The runs whose figures may stand for all: of the finished ones those whose meshes are closed and manifold or, where
-/// none is, all of them. A mean over both would be of neither.
-Runs gated(const Runs& runs);
+/// Whether the run's mesh is closed and manifold; false if there is no mesh.
+bool is_closed_manifold(const RunRecord& run);
+/// The runs that medians and averages are taken over: the finished runs with closed, manifold meshes or, if there is
+/// none, all finished runs. A mean over both kinds would describe neither.
+Runs counted_runs(const Runs& runs);
 
 struct Spread {
-  double median = 0.0;  ///< mean of the two middle ones where their number is even
+  double median = 0.0;  ///< of an even number of values the mean of the two middle ones
   double min = 0.0;
   double max = 0.0;
 };
-/// Of the values that are finite; all NaN where there are none.
+/// Over the finite values; all NaN if there is none.
 Spread spread_of(std::vector<double> values);
 
 using Figure = std::function<double(const RunRecord&)>;
@@ -38,17 +38,17 @@ struct Print {
   bool operator==(const Print&) const = default;
 };
 
-/// Print with so many significant digits, with so many places after the point, as shortly as possible.
+/// Prints with this many significant digits; with this many digits after the point; as short as possible.
 Print to_significant(int digits);
 Print to_places(int places);
 Print as_number();
 
-/// " (3 seeds)", " (5 repeats, 1 timeout)", " (9 seeds, 2 † left out)"; "" for a single run.
-/// Without the gate, for figures over all finished runs, the last reads " (9 seeds, 2 †)".
-std::string spread_label(const Runs& runs, bool gate = true);
+/// " (3 seeds)", " (5 repeats, 1 timeout)", " (9 seeds, 2 † left out)"; "" for a single run. With `counted_only` false,
+/// for figures over all finished runs, the last one reads " (9 seeds, 2 †)".
+std::string spread_label(const Runs& runs, bool counted_only = true);
 
-/// How many different meshes the finished runs of one seed gave: 1 where repeats agree bit for bit, 0 where no seed was
-/// repeated; the largest number over the seeds.
+/// The number of different meshes that the finished runs of one seed gave, the largest over the seeds: 1 if repeats
+/// agree bit for bit, 0 if no seed was repeated.
 std::size_t different_meshes(const Runs& runs);
 
 }  // namespace isobench

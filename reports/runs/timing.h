@@ -1,4 +1,4 @@
-// Which runs' seconds may stand side by side.
+// Which runs' seconds may be compared.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace isobench {
 
-/// How a run was timed, in words: processor, cores, threads, and whether a scheduler gave it the machine alone. Seconds
-/// of runs that differ in it do not compare.
+/// How a run was timed, in words: processor, cores, threads, and whether nothing else ran on the machine. Seconds of
+/// runs that differ in this must not be compared.
 std::string timing_of(const RunRecord& record);
 
-/// What most of the finished runs have in common; the first of those that as many have. "" where nothing is finished.
+/// The most frequent timing_of() of the finished runs; of equally frequent ones the first. "" if no run is finished.
 std::string usual_timing(const RunGrid& runs);
 
-/// The runs that were timed so.
-Runs timed_so(const Runs& runs, const std::string& timing);
+/// The runs with this timing_of().
+Runs runs_with_timing(const Runs& runs, const std::string& timing);
 
-/// The sentence for under a table with seconds: among which runs they are compared, and which are left out; "" where
-/// all runs were timed alike.
+/// A sentence under a table with seconds: which runs are compared and which are left out; "" if all runs were timed
+/// alike.
 std::string timing_remark(const RunGrid& runs);
 
 }  // namespace isobench

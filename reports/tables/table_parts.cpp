@@ -28,7 +28,7 @@ std::string shortened(const std::string& reason) {
 
 }  // namespace
 
-std::string dagger(const RunRecord& record) { return record.measurement && !sound(record) ? " †" : ""; }
+std::string dagger(const RunRecord& record) { return record.measurement && !is_closed_manifold(record) ? " †" : ""; }
 
 std::string marks(const RunRecord& record) {
   const bool unmatched = record.match && !record.match->reason.empty();
@@ -39,7 +39,7 @@ std::string marks(const RunRecord& record) {
 std::string marks(const Runs& runs) {
   std::string all;
   for (const char* mark : {"†", "‡"}) {
-    const Runs shown = gated(runs);
+    const Runs shown = counted_runs(runs);
     const bool any = std::any_of(shown.begin(), shown.end(),
                                  [mark](const RunRecord* run) { return marks(*run).find(mark) != std::string::npos; });
     if (any) all += mark;
@@ -64,11 +64,11 @@ TableCell over_all(const Runs& runs, const Figure& figure, const Print& print) {
 }
 
 TableCell over(const Runs& runs, const Figure& figure, const Print& print) {
-  return over_all(gated(runs), figure, print);
+  return over_all(counted_runs(runs), figure, print);
 }
 
 TableCell over_timed(const RunGrid& arrangement, const Runs& runs, const Figure& figure, const Print& print) {
-  const Runs alike = timed_so(gated(runs), arrangement.timing);
+  const Runs alike = runs_with_timing(counted_runs(runs), arrangement.timing);
   return alike.empty() ? TableCell("§") : over_all(alike, figure, print);
 }
 

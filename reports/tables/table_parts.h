@@ -15,17 +15,17 @@ namespace isobench {
 std::string dagger(const RunRecord& record);
 /// Warnings about a mesh: " †" as above, " ‡" if its number of vertices could not be matched, " †‡" for both; else "".
 std::string marks(const RunRecord& record);
-/// The marks of all runs whose figures are shown (gated()) together.
+/// The marks of all runs whose figures are shown (counted_runs()) together.
 std::string marks(const Runs& runs);
 /// The words of a cell without figures: "not run", "timeout: not finished after 20 minutes"; empty if the run is ok.
 TableCell instead_of_figures(const RunRecord* record);
 
-/// A cell with one figure of the runs that gated() lets pass. Precondition: one of the runs is finished.
+/// A cell with one figure of the runs that counted_runs() lets pass. Precondition: one of the runs is finished.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
 /// The same for seconds. Only runs that were timed as most of the runs are (RunGrid::timing) count, because seconds of
 /// others do not compare. The cell is "§" if there are none.
 TableCell over_timed(const RunGrid& arrangement, const Runs& runs, const Figure& figure, const Print& print);
-/// The same over all finished runs, for figures that tell whether gated() lets a run pass.
+/// The same over all finished runs, for figures that tell whether counted_runs() lets a run pass.
 TableCell over_all(const Runs& runs, const Figure& figure, const Print& print);
 /// Puts timing_remark() under a table that has seconds.
 void say_how_timed(const RunGrid& arrangement, Table& table);

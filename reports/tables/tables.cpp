@@ -22,7 +22,7 @@ struct Column {
 };
 
 // A table with one row a dataset and variant. Several seeds or repeats give the median and the range of the runs that
-// gated() lets pass or, without the gate, of all finished runs.
+// counted_runs() lets pass or, without the gate, of all finished runs.
 Table table_of_runs(const RunGrid& runs, const std::string& title, const std::vector<Column>& columns,
                     bool gate = true) {
   Table table;

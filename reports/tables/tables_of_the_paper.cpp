@@ -131,7 +131,7 @@ void add_valences(const Results& results, const RunGrid& runs, const Variant& va
       continue;
     }
     table.rows.push_back(valence_row(dataset, variant));
-    const bool whole = sound(*gated(find_runs(variant, dataset)).front());
+    const bool whole = is_closed_manifold(*counted_runs(find_runs(variant, dataset)).front());
     (whole ? closed : open).add(table.rows.back());
   }
   add_average(variant, closed, open, table);

@@ -122,7 +122,7 @@ TEST(Tables, TopologyCountsPinchesAndMarksThem) {
   EXPECT_EQ(whole[8], "0");
   EXPECT_EQ(pinched[8], "3");
   const std::string all = markdown_tables(results);
-  EXPECT_NE(all.find("† not a closed manifold"), std::string::npos);
+  EXPECT_NE(all.find("† The mesh is not a closed manifold"), std::string::npos);
 }
 
 TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
@@ -161,7 +161,7 @@ TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
   EXPECT_EQ(find_row(best_table(runs), {"Time, sizing and method"})[1], "particles: 5.25 s");
   EXPECT_EQ(find_row(methods_table(runs), {"marching-cubes"})[8], "§");
   const std::string remark =
-      "§ Seconds are compared among the runs on slow, 4 cores, 2 threads alone; left out: 1 run on fast, 4 cores, 2 "
+      "§ Seconds are compared only between runs on slow, 4 cores, 2 threads. Left out: 1 run on fast, 4 cores, 2 "
       "threads, nothing else on the machine.";
   EXPECT_EQ(timing_remark(runs), remark);
   for (const Table& table : {cost_table(runs), sizes_table(results, runs), best_table(runs), methods_table(runs)}) {
@@ -203,7 +203,7 @@ TEST(Tables, SeveralSizingsAreToldApartAndSeedsAreTheirSpread) {
   EXPECT_EQ(sizes[4], "0.500 (0.333–1.00) s");
   EXPECT_EQ(sizes[5], "1400 (1100–1900)");
   EXPECT_EQ(sizes[6], "2000");  // where all agree, one value
-  EXPECT_NE(markdown_tables(results).find("the median of the finished runs and, in brackets, their range"),
+  EXPECT_NE(markdown_tables(results).find("the median of the finished runs, followed by their range"),
             std::string::npos);
 }
 
@@ -294,7 +294,7 @@ TEST(Tables, SayWhatWasMatchedAndWhatCouldNotBe) {
   EXPECT_EQ(find_row(matches, {"skull", "marching-cubes"})[7], "3 ‡ its number of vertices does not follow the sizing");
   EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"marching-cubes"})[1], "0.300 / 0.945 ‡");
   EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"cvt"})[1], "0.300 / 0.945");
-  EXPECT_NE(markdown_tables(results).find("‡ not of the number of vertices"), std::string::npos);
+  EXPECT_NE(markdown_tables(results).find("‡ The mesh does not have the number of vertices"), std::string::npos);
 }
 
 TEST(Tables, WithoutPublishedFiguresNothingIsClaimed) {

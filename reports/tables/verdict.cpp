@@ -18,7 +18,8 @@ namespace {
 // Seconds count only from runs that were timed alike.
 double median_of(const RunGrid& arrangement, const Runs& runs, const Question& question) {
   std::vector<double> values;
-  for (const RunRecord* run : question.timed ? timed_so(gated(runs), arrangement.timing) : gated(runs))
+  for (const RunRecord* run :
+       question.timed ? runs_with_timing(counted_runs(runs), arrangement.timing) : counted_runs(runs))
     values.push_back(figure_value(*run, question.figure));
   return spread_of(std::move(values)).median;
 }
@@ -149,14 +150,14 @@ Table methods_table(const RunGrid& runs) {
       vertices += run->measurement->number("vertices");
       seconds += run->seconds_total;
     }
-    row.push_back(share(done, sound));
+    row.push_back(share(done, [](const RunRecord& run) { return is_closed_manifold(run); }));
     row.push_back(share(done, right_topology));
     row.push_back(figure_cell(smallest, to_significant(3)));
     row.push_back(figure_cell(average, to_significant(3)));
     row.push_back(figure_cell(six, to_significant(3)));
     row.push_back(figure_cell(vertices, as_number()));
     // Without some of its runs the sum would be too small.
-    const bool alike = timed_so(done, runs.timing).size() == done.size();
+    const bool alike = runs_with_timing(done, runs.timing).size() == done.size();
     row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
     row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
     table.rows.push_back(std::move(row));

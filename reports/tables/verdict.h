@@ -20,8 +20,8 @@ struct Question {
 };
 const std::vector<Question>& questions();
 
-/// The methods that answer a question best on a dataset, by the medians of the runs that count (gated()); several where
-/// they print alike, none where nothing was measured.
+/// The methods that answer a question best on a dataset, by the medians of the runs that count (counted_runs());
+/// several where they print alike, none where nothing was measured.
 struct Best {
   std::vector<std::string> names;
   double value = 0.0;

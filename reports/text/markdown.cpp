@@ -10,7 +10,7 @@ namespace isobench {
 
 namespace {
 
-// Characters of UTF-8 text: every byte that does not continue one.
+// Number of characters of UTF-8 text: all bytes except continuation bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -36,7 +36,7 @@ std::string line(const std::vector<std::string>& cells, const std::vector<std::s
 }  // namespace
 
 void MarkdownTable::add(std::vector<std::string> row) {
-  if (row.size() != header_.size()) throw std::logic_error("a table row with another number of cells than its header");
+  if (row.size() != header_.size()) throw std::logic_error("a table row must have as many cells as the header");
   for (std::string& cell : row) cell = escaped(cell);
   rows_.push_back(std::move(row));
 }

@@ -5,12 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
 
-#include "isobench/methods/particles/cure/dual_edge.h"
+#include "isobench/methods/particles/cure/dual_edge_crossings.h"
+#include "isobench/methods/particles/cure/facet_fans.h"
 #include "isobench/methods/particles/cure/lattice_components.h"
 #include "isobench/methods/particles/cure/local_relaxation.h"
 
@@ -20,47 +20,9 @@ namespace {
 
 using Facet = LabelledDelaunay::Facet;
 
-constexpr double least_facet_cosine = 0.5;  // facets tilted further from a corner's normal are wrong
-constexpr double least_gap = 0.15;          // of a new particle to others around it, times the spacing there
-constexpr double least_gap_to_all = 0.01;   // and to any
-
-// Which facets each particle is a corner of.
-struct Fans {
-  std::vector<std::uint32_t> first;
-  std::vector<std::uint32_t> items;
-
-  Fans(const std::vector<Facet>& facets, std::size_t points) : first(points + 1, 0), items(3 * facets.size()) {
-    for (const Facet& facet : facets) {
-      for (const std::uint32_t corner : facet.corners) ++first[corner + 1];
-    }
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t n = 0; n < facets.size(); ++n) {
-      for (const std::uint32_t corner : facets[n].corners) items[next[corner]++] = static_cast<std::uint32_t>(n);
-    }
-  }
-  std::size_t count(std::size_t point) const { return first[point + 1] - first[point]; }
-};
-
-// Whether the triangles at a point form one closed fan: each leads from one neighbour to another, and following them
-// must come round once through all.
-bool one_fan(const std::vector<Facet>& facets, const Fans& fans, std::uint32_t point) {
-  std::vector<std::array<std::uint32_t, 2>> steps;
-  for (std::uint32_t i = fans.first[point]; i < fans.first[point + 1]; ++i) {
-    const Triangle& t = facets[fans.items[i]].corners;
-    const std::size_t at = t[0] == point ? 0 : t[1] == point ? 1 : 2;
-    steps.push_back({t[(at + 1) % 3], t[(at + 2) % 3]});
-  }
-  std::uint32_t here = steps.front()[0];
-  for (std::size_t taken = 0; taken < steps.size(); ++taken) {
-    const auto leads_on = [here](const auto& step) { return step[0] == here; };
-    const auto step = std::find_if(steps.begin(), steps.end(), leads_on);
-    if (step == steps.end() || std::count_if(steps.begin(), steps.end(), leads_on) > 1) return false;
-    here = (*step)[1];
-    if (here == steps.front()[0]) return taken + 1 == steps.size();
-  }
-  return false;
-}
+constexpr double least_facet_cosine = 0.5;  // between a facet and the normal at a corner; below, the facet is tilted
+constexpr double least_gap = 0.15;          // from a new particle to those around it, times the spacing there
+constexpr double least_gap_to_all = 0.01;   // from a new particle to any other, times the spacing there
 
 bool is_tilted(const Facet& facet, const Particles& particles) {
   const auto& [a, b, c] = facet.corners;
@@ -70,108 +32,111 @@ bool is_tilted(const Facet& facet, const Particles& particles) {
                      [&](std::uint32_t corner) { return normal.dot(particles.normals[corner]) < least_facet_cosine; });
 }
 
-// What is wrong, and where.
+// The defects and their places.
 struct Findings {
   Defects defects;
-  std::vector<std::uint32_t> facets;    // to be refined, ascending
+  std::vector<std::uint32_t> facets;    // defective facets, indices into Curing::facets_, ascending
   std::vector<std::uint32_t> isolated;  // points without a facet
-  std::vector<std::uint32_t> pinched;   // points with more than one fan
+  std::vector<std::uint32_t> pinched;   // points whose facets do not form one closed fan
 };
 
 class Curing {
  public:
-  Curing(const Isosurface& surface, const Spacing& spacing, SizeBounds* smaller, const TriangleMesh& lattice_mesh,
-         Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits)
-      : surface_(surface),
-        spacing_(spacing),
-        smaller_(smaller),
-        limits_(limits),
+  Curing(SizedSurface& sized, const TriangleMesh& lattice_mesh, Particles& particles, LabelledDelaunay& delaunay,
+         const CureOptions& options)
+      : sized_(sized),
+        options_(options),
         components_(lattice_mesh),
         particles_(particles),
         delaunay_(delaunay),
-        component_(components_.of(particles.points)),
-        used_(particles.size(), 1),
-        suspects_(particles.size()) {
-    std::iota(suspects_.begin(), suspects_.end(), 0U);
+        component_(components_.components_of(particles.points)),
+        has_facet_(particles.size(), 1) {
+    check_all_next();
   }
 
-  Cure run(Monitor& monitor) {
-    Findings found = look();
-    cure_.before = found.defects;
-    const int relaxations = smaller_ != nullptr ? limits_.relaxations : 0;
-    while (found.defects.all() > 0 && cure_.relaxations < relaxations) {
-      monitor.progress(static_cast<double>(cure_.relaxations) / relaxations);
-      add(found);
-      if (places_.empty()) break;
+  CureResult run(Monitor& monitor) {
+    Findings found = find_defects();
+    result_.before = found.defects;
+    while (found.defects.all() > 0 && result_.relaxations < options_.relaxations) {
+      monitor.progress(static_cast<double>(result_.relaxations) / options_.relaxations);
+      add_particles(found);
+      if (relaxation_centres_.empty()) break;
       relax(monitor);
-      found = look();
+      found = find_defects();
     }
-    for (int round = 0; round < limits_.rounds && found.defects.all() > 0; ++round) {
+    for (int round = 0; round < options_.rounds && found.defects.all() > 0; ++round) {
       monitor.check();
-      if (add(found) == 0) break;
-      ++cure_.rounds;
-      found = look();
+      if (add_particles(found) == 0) break;
+      ++result_.rounds;
+      found = find_defects();
     }
-    cut(found);
-    cure_.after = found.defects;
-    return cure_;
+    cut_pinches(found);
+    result_.after = found.defects;
+    return result_;
   }
 
  private:
-  // Points do no more: cuts what is still pinched.
-  void cut(Findings& found) {
-    constexpr int cuts = 10;
-    for (int cut = 0; cut < cuts && !found.pinched.empty(); ++cut) {
+  void check_all_next() {
+    unchecked_.resize(particles_.size());
+    std::iota(unchecked_.begin(), unchecked_.end(), 0U);
+  }
+
+  // Changes the label of a cell at each pinch that adding particles has not removed.
+  void cut_pinches(Findings& found) {
+    constexpr int most_cuts = 10;
+    for (int cut = 0; cut < most_cuts && !found.pinched.empty(); ++cut) {
       std::size_t flipped = 0;
       for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
-      cure_.flipped += flipped;
+      result_.flipped += flipped;
       if (flipped == 0) break;
-      suspects_.resize(particles_.size());
-      std::iota(suspects_.begin(), suspects_.end(), 0U);
-      found = look();
+      check_all_next();
+      found = find_defects();
     }
   }
 
-  // Judges what is at the suspects; all else was found right before and has not changed.
-  Findings look() {
-    facets_ = suspects_.size() == particles_.size() ? delaunay_.facets() : delaunay_.facets_at(suspects_);
-    const Fans fans(facets_, particles_.size());
-    std::vector<char> wrong(facets_.size(), 0);
+  // Checks the facets at the unchecked particles. All other facets had no defect in the check before, and have not
+  // changed since.
+  Findings find_defects() {
+    facets_ = unchecked_.size() == particles_.size() ? delaunay_.facets() : delaunay_.facets_at(unchecked_);
+    const FacetFans fans(facets_, particles_.size());
+    std::vector<char> defective(facets_.size(), 0);
     std::vector<char> crossed(facets_.size(), 0);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, facets_.size(), 1024), [&](const auto& range) {
       for (std::size_t n = range.begin(); n < range.end(); ++n) {
-        wrong[n] = is_tilted(facets_[n], particles_) ? 1 : 0;
-        crossed[n] = crossings(facets_[n], surface_) > 1 ? 1 : 0;
+        defective[n] = is_tilted(facets_[n], particles_) ? 1 : 0;
+        crossed[n] = count_crossings(facets_[n], sized_.surface()) > 1 ? 1 : 0;
       }
     });
-    std::vector<char> pinched(suspects_.size(), 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, suspects_.size(), 1024), [&](const auto& range) {
-      for (std::size_t n = range.begin(); n < range.end(); ++n)
-        pinched[n] = fans.count(suspects_[n]) > 0 && !one_fan(facets_, fans, suspects_[n]) ? 1 : 0;
+    std::vector<char> pinched(unchecked_.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, unchecked_.size(), 1024), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n < range.end(); ++n) {
+        const std::uint32_t point = unchecked_[n];
+        pinched[n] = !fans.facets_at(point).empty() && !fans.is_closed_fan(point) ? 1 : 0;
+      }
     });
 
     Findings found;
-    found.defects.tilted = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
+    found.defects.tilted = static_cast<std::size_t>(std::count(defective.begin(), defective.end(), 1));
     found.defects.crossed = static_cast<std::size_t>(std::count(crossed.begin(), crossed.end(), 1));
-    for (std::size_t s = 0; s < suspects_.size(); ++s) {
-      const std::uint32_t n = suspects_[s];
-      used_[n] = fans.count(n) > 0 ? 1 : 0;
-      if (used_[n] == 0) found.isolated.push_back(n);
-      if (pinched[s] == 0) continue;
-      found.pinched.push_back(n);
-      for (std::uint32_t i = fans.first[n]; i < fans.first[n + 1]; ++i) wrong[fans.items[i]] = 1;
+    for (std::size_t n = 0; n < unchecked_.size(); ++n) {
+      const std::uint32_t point = unchecked_[n];
+      has_facet_[point] = fans.facets_at(point).empty() ? 0 : 1;
+      if (has_facet_[point] == 0) found.isolated.push_back(point);
+      if (pinched[n] == 0) continue;
+      found.pinched.push_back(point);
+      for (const std::uint32_t facet : fans.facets_at(point)) defective[facet] = 1;
     }
     found.defects.pinched = found.pinched.size();
     found.defects.isolated = found.isolated.size();
     for (std::uint32_t n = 0; n < facets_.size(); ++n) {
-      if (wrong[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
+      if (defective[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
     }
-    lost_ = components_.without(component_, used_);
-    found.defects.lost = lost_.size();
+    lost_components_ = components_.missing(component_, has_facet_);
+    found.defects.lost = lost_components_.size();
 
-    suspects_ = found.isolated;
+    unchecked_ = found.isolated;
     for (const std::uint32_t n : found.facets)
-      suspects_.insert(suspects_.end(), facets_[n].corners.begin(), facets_[n].corners.end());
+      unchecked_.insert(unchecked_.end(), facets_[n].corners.begin(), facets_[n].corners.end());
     return found;
   }
 
@@ -179,85 +144,89 @@ class Curing {
     return (particles_.points[particle] - x).norm() <= gap * particles_.spacing[particle];
   }
 
-  // Of one that is to be added: what leads to it may lead to the same again, from another sheet and in a later round.
-  void consider(const Eigen::Vector3d& x, std::uint32_t near) {
-    if (!is_near(x, delaunay_.nearest(x, near), least_gap_to_all)) added_.push_back(x);
+  // Queues x unless a particle is already there; another facet or a later round may propose it again. The search for
+  // the nearest particle starts at particle `near`.
+  void propose(const Eigen::Vector3d& x, std::uint32_t near) {
+    if (!is_near(x, delaunay_.nearest(x, near), least_gap_to_all)) proposed_.push_back(x);
   }
 
-  // Adds particles for all findings; how many. Says, too, where something is wrong and none more fits.
-  std::size_t add(const Findings& found) {
-    added_.clear();
-    places_.clear();
+  // Adds particles for all findings and returns how many. The centres of the next relaxation are the new particles and
+  // the defects at which no particle has room.
+  std::size_t add_particles(const Findings& found) {
+    proposed_.clear();
+    relaxation_centres_.clear();
     for (const std::uint32_t n : found.facets) {
-      const std::size_t before = added_.size();
-      pierce(facets_[n]);
-      if (added_.size() == before) places_.push_back(middle(facets_[n]));
+      const std::size_t before = proposed_.size();
+      propose_crossings(facets_[n]);
+      if (proposed_.size() == before) relaxation_centres_.push_back(centre_on_surface(facets_[n]));
     }
     for (const std::uint32_t n : found.isolated) {
-      const std::size_t before = added_.size();
-      surround(n);
-      if (added_.size() == before) places_.push_back(particles_.points[n]);
+      const std::size_t before = proposed_.size();
+      propose_ring_around(n);
+      if (proposed_.size() == before) relaxation_centres_.push_back(particles_.points[n]);
     }
-    for (const auto& component : lost_) {
+    for (const auto& component : lost_components_) {
       for (const Eigen::Vector3d& x : component) {
-        const auto foot = surface_.project(x);
-        if (foot) consider(*foot, 0);
+        const auto foot = sized_.surface().project(x);
+        if (foot) propose(*foot, 0);
       }
     }
-    const Particles fresh = make_particles(surface_, spacing_, thinned());
-    exchange({}, fresh);
-    places_.insert(places_.end(), fresh.points.begin(), fresh.points.end());
-    cure_.inserted += fresh.size();
-    return fresh.size();
+    const Particles added = make_particles(sized_, thinned_proposals());
+    exchange({{}, added});
+    relaxation_centres_.insert(relaxation_centres_.end(), added.points.begin(), added.points.end());
+    result_.inserted += added.size();
+    return added.size();
   }
 
   void relax(Monitor& monitor) {
-    const Exchange relaxed = relax_around(places_, surface_, spacing_, *smaller_, limits_.least, particles_, monitor);
-    exchange(relaxed.gone, relaxed.fresh);
-    cure_.relaxed += relaxed.fresh.size();
-    ++cure_.relaxations;
+    const Exchange relaxed =
+        relax_around(relaxation_centres_, sized_, particles_, options_.least_h, options_.population, monitor);
+    exchange(relaxed);
+    result_.relaxed += relaxed.added.size();
+    ++result_.relaxations;
   }
 
-  // Takes particles away, adds others, and suspects what has to do with them.
-  void exchange(const std::vector<std::uint32_t>& gone, const Particles& fresh) {
-    std::vector<char> goes(particles_.size(), 0);
-    for (const std::uint32_t n : gone) goes[n] = 1;
-    std::vector<std::uint32_t> now(particles_.size());
-    std::transform_exclusive_scan(goes.begin(), goes.end(), now.begin(), 0U, std::plus<>(),
-                                  [](char goes_now) { return goes_now != 0 ? 0U : 1U; });
-    particles_.erase(goes);
-    erase_marked(component_, goes);
-    erase_marked(used_, goes);
-    for (std::size_t n = 0; n < fresh.size(); ++n) particles_.add(fresh, n);
-    const std::vector<std::uint32_t> fresh_components = components_.of(fresh.points);
-    component_.insert(component_.end(), fresh_components.begin(), fresh_components.end());
-    used_.resize(particles_.size(), 1);
+  // Exchanges particles, here and in the triangulation, and marks the particles whose facets may have changed.
+  void exchange(const Exchange& exchanged) {
+    std::vector<char> is_removed(particles_.size(), 0);
+    for (const std::uint32_t n : exchanged.removed) is_removed[n] = 1;
+    std::vector<std::uint32_t> new_index(particles_.size());
+    std::transform_exclusive_scan(is_removed.begin(), is_removed.end(), new_index.begin(), 0U, std::plus<>(),
+                                  [](char removed) { return removed != 0 ? 0U : 1U; });
+    particles_.erase(is_removed);
+    erase_marked(component_, is_removed);
+    erase_marked(has_facet_, is_removed);
+    for (std::size_t n = 0; n < exchanged.added.size(); ++n) particles_.add(exchanged.added, n);
+    const std::vector<std::uint32_t> added_components = components_.components_of(exchanged.added.points);
+    component_.insert(component_.end(), added_components.begin(), added_components.end());
+    has_facet_.resize(particles_.size(), 1);
 
-    std::erase_if(suspects_, [&](std::uint32_t n) { return goes[n] != 0; });
-    for (std::uint32_t& n : suspects_) n = now[n];
-    const std::vector<std::uint32_t> changed = delaunay_.replace(gone, fresh.points);
-    suspects_.insert(suspects_.end(), changed.begin(), changed.end());
-    std::sort(suspects_.begin(), suspects_.end());
-    suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
+    std::erase_if(unchecked_, [&](std::uint32_t n) { return is_removed[n] != 0; });
+    for (std::uint32_t& n : unchecked_) n = new_index[n];
+    const std::vector<std::uint32_t> changed = delaunay_.replace(exchanged.removed, exchanged.added.points);
+    unchecked_.insert(unchecked_.end(), changed.begin(), changed.end());
+    std::sort(unchecked_.begin(), unchecked_.end());
+    unchecked_.erase(std::unique(unchecked_.begin(), unchecked_.end()), unchecked_.end());
   }
 
-  // Where a facet's dual edge crosses the surface.
-  void pierce(const Facet& facet) {
-    for (const Eigen::Vector3d& x : crossing_points(facet, surface_)) {
-      const bool crowds = std::any_of(facet.corners.begin(), facet.corners.end(),
-                                      [&](std::uint32_t corner) { return is_near(x, corner, least_gap); });
-      if (!crowds) consider(x, facet.corners[0]);
+  // Proposes the points where a facet's dual edge crosses the surface.
+  void propose_crossings(const Facet& facet) {
+    for (const Eigen::Vector3d& x : crossing_points(facet, sized_.surface())) {
+      const bool is_near_corner = std::any_of(facet.corners.begin(), facet.corners.end(),
+                                              [&](std::uint32_t corner) { return is_near(x, corner, least_gap); });
+      if (!is_near_corner) propose(x, facet.corners[0]);
     }
   }
 
-  Eigen::Vector3d middle(const Facet& facet) const {
+  Eigen::Vector3d centre_on_surface(const Facet& facet) const {
     const auto& [a, b, c] = facet.corners;
     const Eigen::Vector3d mean = (particles_.points[a] + particles_.points[b] + particles_.points[c]) / 3.0;
-    return surface_.project(mean).value_or(particles_.points[a]);
+    return sized_.surface().project(mean).value_or(particles_.points[a]);
   }
 
-  // A ring about a particle that the surface passes by: with it, the particle's cells are small against the sheet.
-  void surround(std::uint32_t n) {
+  // Proposes a ring around a particle without a facet, so that the cells at the particle become smaller than the sheet
+  // is thick.
+  void propose_ring_around(std::uint32_t n) {
     const Eigen::Vector3d& normal = particles_.normals[n];
     const Eigen::Vector3d u = normal.unitOrthogonal();
     const Eigen::Vector3d v = normal.cross(u);
@@ -265,48 +234,46 @@ class Curing {
     for (int corner = 0; corner < corners; ++corner) {
       const double angle = 2.0 * M_PI * corner / corners;
       const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
-      const auto foot = surface_.project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
-      if (foot && !is_near(*foot, n, least_gap)) consider(*foot, n);
+      const auto foot = sized_.surface().project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
+      if (foot && !is_near(*foot, n, least_gap)) propose(*foot, n);
     }
   }
 
-  // Of those that are to be added: each that no earlier one is as good as at.
-  std::vector<Eigen::Vector3d> thinned() const {
-    std::vector<double> reach(added_.size());
-    for (std::size_t n = 0; n < added_.size(); ++n) reach[n] = least_gap * spacing_(added_[n]);
-    const NeighbourLists near = find_neighbours(added_, reach);
-    std::vector<char> kept(added_.size(), 0);
+  // The proposed points, without those within least_gap times the spacing of one already kept.
+  std::vector<Eigen::Vector3d> thinned_proposals() const {
+    std::vector<double> reach(proposed_.size());
+    for (std::size_t n = 0; n < proposed_.size(); ++n) reach[n] = least_gap * sized_.spacing(proposed_[n]);
+    const NeighbourLists near = find_neighbours(proposed_, reach);
+    std::vector<char> kept(proposed_.size(), 0);
     std::vector<Eigen::Vector3d> result;
-    for (std::size_t n = 0; n < added_.size(); ++n) {
+    for (std::size_t n = 0; n < proposed_.size(); ++n) {
       const auto others = near.of(n);
       kept[n] = std::none_of(others.begin(), others.end(), [&](std::uint32_t m) { return m < n && kept[m] != 0; });
-      if (kept[n] != 0) result.push_back(added_[n]);
+      if (kept[n] != 0) result.push_back(proposed_[n]);
     }
     return result;
   }
 
-  const Isosurface& surface_;
-  const Spacing& spacing_;
-  SizeBounds* smaller_;
-  const CureLimits limits_;
+  SizedSurface& sized_;
+  const CureOptions options_;
   LatticeComponents components_;
   Particles& particles_;
   LabelledDelaunay& delaunay_;
-  std::vector<std::uint32_t> component_;  // of each particle
-  std::vector<char> used_;                // of each particle: it has a facet
-  std::vector<std::uint32_t> suspects_;   // particles whose facets are to be judged
-  std::vector<Facet> facets_;             // those at what was suspect
-  std::vector<std::vector<Eigen::Vector3d>> lost_;
-  std::vector<Eigen::Vector3d> added_;
-  std::vector<Eigen::Vector3d> places_;  // where particles were last added, or none more fitted
-  Cure cure_;
+  std::vector<std::uint32_t> component_;                       // of each particle
+  std::vector<char> has_facet_;                                // of each particle
+  std::vector<std::uint32_t> unchecked_;                       // particles whose facets find_defects() has to check
+  std::vector<Facet> facets_;                                  // the facets that find_defects() has checked last
+  std::vector<std::vector<Eigen::Vector3d>> lost_components_;  // points on each lost component
+  std::vector<Eigen::Vector3d> proposed_;
+  std::vector<Eigen::Vector3d> relaxation_centres_;
+  CureResult result_;
 };
 
 }  // namespace
 
-Cure cure(const Isosurface& surface, const Spacing& spacing, SizeBounds* smaller, const TriangleMesh& lattice_mesh,
-          Particles& particles, LabelledDelaunay& delaunay, const CureLimits& limits, Monitor& monitor) {
-  return Curing(surface, spacing, smaller, lattice_mesh, particles, delaunay, limits).run(monitor);
+CureResult cure(SizedSurface& sized, const TriangleMesh& lattice_mesh, Particles& particles, LabelledDelaunay& delaunay,
+                const CureOptions& options, Monitor& monitor) {
+  return Curing(sized, lattice_mesh, particles, delaunay, options).run(monitor);
 }
 
 }  // namespace isobench::particles

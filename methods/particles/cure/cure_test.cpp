@@ -6,32 +6,32 @@
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/particles/relaxation/newton.h"
+#include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench {
 namespace {
 
-using particles::Cure;
+using particles::CureResult;
 using particles::Particles;
-using particles::Spacing;
+using particles::SizedSurface;
 
-// Particles on a phantom as they are before they are closed, and what curing makes of them.
+// Relaxed particles on a phantom, and the mesh after a cure.
 struct Case {
   Case(const std::string& name, int nodes, double edge_length)
       : surface(sample_phantom(phantom(name), nodes), 0.0),
         field(edge_length),
-        smaller(surface, 0.3),
-        spacing{field, 1.0, &smaller},
+        sized(surface, field),
         lattice_mesh(marching_cubes(surface, monitor)) {
-    const auto count = static_cast<std::size_t>(particles::ideal_count(lattice_mesh, spacing));
-    all = particles::make_particles(
-        surface, spacing, particles::eliminate_to_seeds(surface, lattice_mesh, spacing, count, 4.0, 1, monitor));
-    particles::relax(surface, spacing, all, 20, monitor);
+    const auto count = static_cast<std::size_t>(particles::ideal_count(sized, lattice_mesh));
+    all = particles::make_particles(sized, particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, 1, monitor));
+    particles::relax_by_newton(sized, all, 20, monitor);
   }
 
-  Cure run(int rounds = 30, int relaxations = 0) {
+  CureResult run(int rounds = 30, int relaxations = 0) {
     LabelledDelaunay delaunay(all.points, surface, monitor);
-    Cure cured = particles::cure(surface, spacing, &smaller, lattice_mesh, all, delaunay,
-                                 {.rounds = rounds, .relaxations = relaxations}, monitor);
+    const CureResult cured =
+        particles::cure(sized, lattice_mesh, all, delaunay, {.relaxations = relaxations, .rounds = rounds}, monitor);
     mesh = TriangleMesh{all.points, delaunay.triangles(), {}, {}};
     return cured;
   }
@@ -39,8 +39,7 @@ struct Case {
   Monitor monitor;
   Isosurface surface;
   SizingField field;
-  particles::SizeBounds smaller;
-  Spacing spacing;
+  SizedSurface sized;
   TriangleMesh lattice_mesh;
   Particles all;
   TriangleMesh mesh;
@@ -57,7 +56,7 @@ void expect_closed(const TriangleMesh& mesh, const Phantom& known) {
 TEST(ParticlesCure, LeavesADenseSampleAlone) {
   Case torus("torus", 48, 3.0);
   const std::size_t count = torus.all.size();
-  const Cure cured = torus.run();
+  const CureResult cured = torus.run();
   EXPECT_EQ(cured.before.all(), 0U);
   EXPECT_EQ(cured.inserted, 0U);
   EXPECT_EQ(cured.rounds, 0);
@@ -65,12 +64,12 @@ TEST(ParticlesCure, LeavesADenseSampleAlone) {
   expect_closed(torus.mesh, phantom("torus"));
 }
 
-// Edges longer than the sheets are thick and apart: without a cure the sheets are welded and pierced.
-TEST(ParticlesCure, PartsSheetsThatAreNearerThanTheEdgesAreLong) {
+// The edges are longer than the sheets are thick and apart. Without a cure, the sheets are joined and have holes.
+TEST(ParticlesCure, SeparatesSheetsThatAreCloserThanTheEdgesAreLong) {
   for (const char* name : {"thin-sheets", "near-spheres"}) {
     SCOPED_TRACE(name);
     Case sheets(name, 128, 2.0);
-    const Cure cured = sheets.run();
+    const CureResult cured = sheets.run();
     EXPECT_GT(cured.before.pinched + cured.before.crossed + cured.before.tilted, 0U);
     EXPECT_GT(cured.inserted, 0U);
     EXPECT_EQ(cured.after.pinched, 0U);
@@ -84,13 +83,13 @@ TEST(ParticlesCure, PartsSheetsThatAreNearerThanTheEdgesAreLong) {
   }
 }
 
-// With the surroundings relaxed, none of the triangles is tilted any more, and the particles are apart as they should.
-TEST(ParticlesCure, RelaxesUntilNothingIsLeft) {
+// With relaxations no triangle remains tilted, and no round without a relaxation is needed.
+TEST(ParticlesCure, RelaxesUntilNoDefectIsLeft) {
   for (const char* name : {"thin-sheets", "near-spheres"}) {
     SCOPED_TRACE(name);
     Case sheets(name, 128, 2.0);
     const std::size_t count = sheets.all.size();
-    const Cure cured = sheets.run(30, 8);
+    const CureResult cured = sheets.run(30, 8);
     EXPECT_GT(cured.relaxations, 0);
     EXPECT_GT(cured.relaxed, cured.inserted);
     EXPECT_EQ(cured.rounds, 0);
@@ -102,11 +101,11 @@ TEST(ParticlesCure, RelaxesUntilNothingIsLeft) {
       EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * sheets.surface.voxel());
       EXPECT_GT(sheets.all.normals[n].dot(outward_normal(jet.gradient)), 0.9999);
     }
-    // What the cure leaves is what a new triangulation of its particles is, and that has nothing to cure.
+    // A new triangulation of the cured particles gives the same mesh and has no defects.
     LabelledDelaunay again(sheets.all.points, sheets.surface, sheets.monitor);
     EXPECT_EQ(again.triangles(), sheets.mesh.triangles);
-    const Cure nothing = particles::cure(sheets.surface, sheets.spacing, &sheets.smaller, sheets.lattice_mesh,
-                                         sheets.all, again, {}, sheets.monitor);
+    const CureResult nothing =
+        particles::cure(sheets.sized, sheets.lattice_mesh, sheets.all, again, {}, sheets.monitor);
     EXPECT_EQ(nothing.before.all(), 0U);
   }
 }
@@ -119,8 +118,8 @@ TEST(ParticlesCure, FindsAComponentThatHasNoParticles) {
     if (x[0] < middle) half.push_back(x);
   }
   ASSERT_LT(half.size(), spheres.all.size());
-  spheres.all = particles::make_particles(spheres.surface, spheres.spacing, half);
-  const Cure cured = spheres.run();
+  spheres.all = particles::make_particles(spheres.sized, half);
+  const CureResult cured = spheres.run();
   EXPECT_EQ(cured.before.lost, 1U);
   EXPECT_EQ(cured.after.all(), 0U);
   expect_closed(spheres.mesh, phantom("near-spheres"));

@@ -10,12 +10,12 @@ namespace isobench::particles {
 
 namespace {
 
-// Each as far as possible from those before it: as many as enclose a small body.
+// Up to 16 of the points; each is as far as possible from those before it. 16 points enclose a small body.
 std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) {
-  constexpr std::size_t enough = 16;
+  constexpr std::size_t most = 16;
   std::vector<Eigen::Vector3d> chosen = {points.front()};
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
-  while (chosen.size() < std::min(enough, points.size())) {
+  while (chosen.size() < std::min(most, points.size())) {
     for (std::size_t n = 0; n < points.size(); ++n)
       distance[n] = std::min(distance[n], (points[n] - chosen.back()).norm());
     const auto farthest = std::max_element(distance.begin(), distance.end());
@@ -32,7 +32,7 @@ LatticeComponents::LatticeComponents(const TriangleMesh& mesh) : mesh_(mesh), of
   if (std::any_of(of_vertex_.begin(), of_vertex_.end(), differs)) tree_.emplace(mesh.vertices);
 }
 
-std::vector<std::uint32_t> LatticeComponents::of(const std::vector<Eigen::Vector3d>& points) const {
+std::vector<std::uint32_t> LatticeComponents::components_of(const std::vector<Eigen::Vector3d>& points) const {
   if (!tree_) return std::vector<std::uint32_t>(points.size(), of_vertex_.empty() ? 0 : of_vertex_.front());
   std::vector<std::uint32_t> result(points.size());
   tbb::parallel_for(std::size_t{0}, points.size(),
@@ -40,15 +40,15 @@ std::vector<std::uint32_t> LatticeComponents::of(const std::vector<Eigen::Vector
   return result;
 }
 
-std::vector<std::vector<Eigen::Vector3d>> LatticeComponents::without(const std::vector<std::uint32_t>& of_points,
-                                                                     const std::vector<char>& used) const {
-  std::vector<char> met(of_vertex_.size(), 0);
+std::vector<std::vector<Eigen::Vector3d>> LatticeComponents::missing(const std::vector<std::uint32_t>& of_points,
+                                                                     const std::vector<char>& counted) const {
+  std::vector<char> has_point(of_vertex_.size(), 0);
   for (std::size_t n = 0; n < of_points.size(); ++n) {
-    if (used[n] != 0) met[of_points[n]] = 1;
+    if (counted[n] != 0) has_point[of_points[n]] = 1;
   }
   std::map<std::uint32_t, std::vector<Eigen::Vector3d>> members;
   for (std::size_t n = 0; n < of_vertex_.size(); ++n) {
-    if (met[of_vertex_[n]] == 0) members[of_vertex_[n]].push_back(mesh_.vertices[n]);
+    if (has_point[of_vertex_[n]] == 0) members[of_vertex_[n]].push_back(mesh_.vertices[n]);
   }
   std::vector<std::vector<Eigen::Vector3d>> result;
   for (const auto& [component, vertices] : members) result.push_back(spread(vertices));

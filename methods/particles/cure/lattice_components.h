@@ -1,4 +1,4 @@
-// The components that a surface has on its lattice, to see whether particles stand on each of them.
+// The components of a lattice mesh, to find those on which there is no particle.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,17 +16,18 @@ class LatticeComponents {
   /// Keeps a reference to the mesh.
   explicit LatticeComponents(const TriangleMesh& mesh);
 
-  /// The component on which each point stands, that of the vertex nearest to it: a number of the mesh's own.
-  std::vector<std::uint32_t> of(const std::vector<Eigen::Vector3d>& points) const;
+  /// The component of each point: that of the mesh vertex nearest to it. Components have arbitrary numbers.
+  std::vector<std::uint32_t> components_of(const std::vector<Eigen::Vector3d>& points) const;
 
-  /// Of each component that is no used point's: up to 16 of its vertices, well apart. One entry a point.
-  std::vector<std::vector<Eigen::Vector3d>> without(const std::vector<std::uint32_t>& of_points,
-                                                    const std::vector<char>& used) const;
+  /// The components to which no counted point belongs; for each of them up to 16 of its vertices, spread over it.
+  /// `of_points` and `counted` have one entry a point; a point counts if its entry is not 0.
+  std::vector<std::vector<Eigen::Vector3d>> missing(const std::vector<std::uint32_t>& of_points,
+                                                    const std::vector<char>& counted) const;
 
  private:
   const TriangleMesh& mesh_;
   std::vector<std::uint32_t> of_vertex_;
-  std::optional<PointTree> tree_;  // of the vertices; where all are on one component, there is nothing to look for
+  std::optional<PointTree> tree_;  // over the vertices; not set if the mesh has one component only
 };
 
 }  // namespace isobench::particles

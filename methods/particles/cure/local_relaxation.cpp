@@ -6,63 +6,61 @@
 #include <algorithm>
 #include <limits>
 
-#include "isobench/methods/particles/sampling/population.h"
+#include "isobench/methods/particles/relaxation/newton.h"
 
 namespace isobench::particles {
 
 namespace {
 
-constexpr double shrink = 0.7;
-constexpr double shrunk = 1.2;  // times the spacing around a point
-constexpr double loose = 2.0;   // with three, two thirds more particles would have to move, for the same
-constexpr int local_controls = 2;
-constexpr int sweeps_between = 6;     // before, between and after the controls
-constexpr double least_energy = 0.6;  // times the ideal; with less a particle splits
-constexpr double most_energy = 1.6;   // with more it goes
+constexpr double shrink_factor = 0.7;
+constexpr double shrunk_radius = 1.2;   // times the spacing at a point
+constexpr double relaxed_radius = 2.0;  // times the spacing; 3 would move two thirds more particles to the same effect
+constexpr int population_controls = 2;
+constexpr int sweeps_between = 6;  // before, between and after the population controls
 
 }  // namespace
 
-void shrink_around(const std::vector<Eigen::Vector3d>& points, const Spacing& spacing, SizeBounds& smaller,
-                   double least) {
-  std::vector<SizeBound> places;
-  places.reserve(points.size());
+void shrink_around(const std::vector<Eigen::Vector3d>& points, SizedSurface& sized, double least_h) {
+  std::vector<SizeBound> bounds;
+  bounds.reserve(points.size());
   for (const Eigen::Vector3d& x : points) {
-    const double apart = spacing(x);
-    const double h = apart * spacing.contraction;
-    places.push_back({x, std::min(h, std::max(least, shrink * h)), shrunk * apart, apart});
+    const double spacing = sized.spacing(x);
+    const double h = spacing * sized.contraction();
+    bounds.push_back({x, std::min(h, std::max(least_h, shrink_factor * h)), shrunk_radius * spacing, spacing});
   }
-  smaller.add(places);
+  sized.add_bounds(bounds);
 }
 
-Exchange relax_around(const std::vector<Eigen::Vector3d>& points, const Isosurface& surface, const Spacing& spacing,
-                      SizeBounds& smaller, double least, const Particles& particles, Monitor& monitor) {
-  const std::size_t first = smaller.size();
-  shrink_around(points, spacing, smaller, least);
+Exchange relax_around(const std::vector<Eigen::Vector3d>& points, SizedSurface& sized, const Particles& particles,
+                      double least_h, const PopulationLimits& population, Monitor& monitor) {
+  const std::size_t first = sized.bounds().size();
+  shrink_around(points, sized, least_h);
 
-  // Those farther than `loose` units act on those within, and out of all reach nobody does.
-  std::vector<double> away(particles.size());
+  // Particles beyond relaxed_radius stay but act on those within. Particles out of reach of all new bounds do not.
+  std::vector<double> distance(particles.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles.size(), 4096), [&](const auto& range) {
-    for (std::size_t n = range.begin(); n < range.end(); ++n) away[n] = smaller.units_from(particles.points[n], first);
+    for (std::size_t n = range.begin(); n < range.end(); ++n)
+      distance[n] = sized.bounds().scaled_distance(particles.points[n], first);
   });
   Exchange exchange;
   std::vector<Eigen::Vector3d> near;
   std::vector<char> fixed;
   for (std::uint32_t n = 0; n < particles.size(); ++n) {
-    if (away[n] == std::numeric_limits<double>::infinity()) continue;
-    if (away[n] <= loose) exchange.gone.push_back(n);
+    if (distance[n] == std::numeric_limits<double>::infinity()) continue;
+    if (distance[n] <= relaxed_radius) exchange.removed.push_back(n);
     near.push_back(particles.points[n]);
-    fixed.push_back(away[n] <= loose ? 0 : 1);
+    fixed.push_back(distance[n] <= relaxed_radius ? 0 : 1);
   }
 
-  Particles all = make_particles(surface, spacing, std::move(near));
-  Monitor own;  // the traces are of relaxing all
-  for (int control = 0; control <= local_controls; ++control) {
+  Particles all = make_particles(sized, std::move(near));
+  Monitor unrecorded;  // the run's traces are of all particles, not of these few
+  for (int control = 0; control <= population_controls; ++control) {
     monitor.check();
-    if (control > 0) control_population(surface, spacing, all, least_energy, most_energy, &fixed);
-    relax(surface, spacing, all, sweeps_between, own, fixed);
+    if (control > 0) control_population(sized, all, population, &fixed);
+    relax_by_newton(sized, all, sweeps_between, unrecorded, fixed);
   }
   for (std::size_t n = 0; n < all.size(); ++n) {
-    if (fixed[n] == 0) exchange.fresh.add(all, n);
+    if (fixed[n] == 0) exchange.added.add(all, n);
   }
   return exchange;
 }

@@ -22,7 +22,8 @@ EditableMesh::EditableMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Ei
   find_fixed();
 }
 
-/// Links half-edges that run both ways between two vertices, once each; others stay without a twin.
+/// Links two half-edges if they are the only ones between their vertices and run in opposite directions. Others have no
+/// twin.
 void EditableMesh::pair_up(std::span<const Index> half_edges) {
   struct Keyed {
     std::uint64_t ends;
@@ -94,7 +95,7 @@ bool EditableMesh::can_collapse(Index e) const {
   const Index c = apex(e);
   const Index d = apex(twin_[e]);
   if (c == d || valence_[c] <= 3 || valence_[d] <= 3) return false;
-  // Of the neighbours of a, only c and d may be neighbours of b, or triangles would fall together.
+  // Link condition: only c and d may be neighbours of both a and b. Otherwise two triangles would coincide.
   Index around = out_[a];
   do {
     const Index r = target(around);
@@ -262,7 +263,7 @@ void EditableMesh::replace(std::span<const Index> old, std::span<const Triangle>
       const Index e = 3 * t + k;
       --valence_[origin_[e]];
       const Index beyond = twin_[e];
-      // What lies beyond the border of the piece seeks a new twin.
+      // Half-edges across the border of the replaced triangles need a new twin.
       if (beyond != none && std::find(old.begin(), old.end(), beyond / 3) == old.end()) half_edges.push_back(beyond);
     }
   }

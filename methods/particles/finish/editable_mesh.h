@@ -1,4 +1,4 @@
-// A triangle mesh on F = c that can be changed locally: half-edges in plain index arrays.
+// A triangle mesh on F = c whose connectivity can be changed locally: half-edges in plain index arrays.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,34 +11,36 @@
 
 namespace isobench::particles {
 
-/// Three half-edges a triangle: half-edge e belongs to triangle e/3 and runs from its origin to the next one's.
+/// A triangle has three half-edges. Half-edge e belongs to triangle e/3 and runs from its origin to the origin of the
+/// next half-edge of the triangle.
 ///
-/// Where the triangles do not form one closed fan around a vertex (a border, a pinch), or where fix() says so, the
-/// vertex is fixed: it stays where it is, and no operation takes it away. That makes a piece cut out of a mesh a mesh
-/// of its own.
+/// A vertex is fixed if its triangles do not form one closed fan, as at a border or a pinch, or if fix() was called for
+/// it. A fixed vertex does not move, and no operation removes it. So a part of a mesh with a border can be edited as a
+/// mesh of its own.
 class EditableMesh {
  public:
   using Index = std::uint32_t;
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   EditableMesh() = default;
-  /// Normals are outward and unit, one a vertex. Cost: O(n log n).
+  /// One outward unit normal a vertex. Cost: O(n log n).
   EditableMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Eigen::Vector3d> normals,
                std::span<const Triangle> triangles);
 
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals;
 
-  std::size_t vertex_count() const { return points.size(); }  ///< with those taken away
+  std::size_t vertex_count() const { return points.size(); }  ///< including removed vertices
   std::size_t half_edge_count() const { return origin_.size(); }
   bool alive(Index v) const { return out_[v] != none; }
   bool fixed(Index v) const { return fixed_[v] != 0; }
-  /// Makes v one of the fixed vertices. Where all corners are, triangles stay as they are.
+  /// Fixes v. Triangles all of whose corners are fixed stay as they are.
   void fix(Index v) { fixed_[v] = 1; }
   bool movable(Index v) const { return alive(v) && !fixed(v); }
   bool triangle_alive(Index t) const { return origin_[3 * t] != none; }
   Triangle triangle(Index t) const { return {origin_[3 * t], origin_[3 * t + 1], origin_[3 * t + 2]}; }
-  /// How many triangles are around v; of a piece, in the mesh that it was cut from, if set_valence() said so.
+  /// The number of triangles around v; or the number set by set_valence(), for a vertex whose other triangles are in
+  /// the mesh from which this one was extracted.
   Index valence(Index v) const { return valence_[v]; }
   void set_valence(Index v, Index valence) { valence_[v] = valence; }
 
@@ -48,31 +50,32 @@ class EditableMesh {
   Index target(Index e) const { return origin_[next(e)]; }
   Index apex(Index e) const { return origin_[previous(e)]; }
   Index twin(Index e) const { return twin_[e]; }
-  /// A half-edge from v; of a movable vertex, turn() leads through all of them counter-clockwise.
+  /// A half-edge that starts at v.
   Index out(Index v) const { return out_[v]; }
+  /// The next half-edge counter-clockwise around the origin of e. Precondition: the origin is movable.
   Index turn(Index e) const { return twin_[previous(e)]; }
-  /// True also where that cannot be told because both are fixed.
+  /// Whether an edge joins u and v; true also if both are fixed, where this is not known.
   bool adjacent(Index u, Index v) const;
 
-  /// Whether the mesh is still one, at every edge and vertex, after the operation.
+  /// Whether the mesh stays a manifold with the same topology.
   bool can_flip(Index e) const;
   bool can_collapse(Index e) const;
 
-  /// Turns the edge within its two triangles. Precondition: can_flip.
+  /// Replaces the edge by the other diagonal of its two triangles. Precondition: can_flip.
   void flip(Index e);
-  /// Takes origin(e) away: its triangles are drawn to target(e). Precondition: can_collapse.
+  /// Removes origin(e) by merging it into target(e). Precondition: can_collapse.
   void collapse(Index e);
-  /// A new vertex on an edge with two triangles. Returns it.
+  /// Inserts a vertex on an edge with two triangles. Returns the vertex.
   Index split_edge(Index e, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
-  /// A new vertex takes the triangles from half-edge `first` counter-clockwise up to `last`, both from the same movable
-  /// vertex, with at least one triangle on either side. Returns it.
+  /// Splits a movable vertex, at which both half-edges start. A new vertex takes its triangles from `first` counter-
+  /// clockwise up to `last`; at least one triangle is on either side. Returns the new vertex.
   Index split_vertex(Index first, Index last, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
-  /// Puts `fresh` in the place of the triangles `old`, which cover the same piece: same border, same turning.
+  /// Replaces the triangles `old` by `fresh`, which have the same border and orientation.
   void replace(std::span<const Index> old, std::span<const Triangle> fresh);
   Index add_vertex(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
-  /// What is alive, vertices in their order.
+  /// The mesh without removed vertices and triangles; vertices keep their order.
   TriangleMesh triangle_mesh() const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using Index = EditableMesh::Index;
 
-/// A torus of rows × columns quadrilaterals, each cut in two: every valence is 6.
+/// A torus of rows × columns quadrilaterals, each split into two triangles. Every valence is 6.
 EditableMesh torus(Index rows, Index columns) {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals;
@@ -33,7 +33,7 @@ EditableMesh torus(Index rows, Index columns) {
   return {points, normals, triangles};
 }
 
-/// Closed, without pinches, with valences that are kept right, and of this Euler number.
+/// Expects a closed mesh without pinches, with correct valences and this Euler characteristic.
 void expect_valid(const EditableMesh& mesh, long euler = 0) {
   for (Index e = 0; e < mesh.half_edge_count(); ++e) {
     if (mesh.origin(e) == EditableMesh::none) continue;
@@ -108,8 +108,9 @@ TEST(EditableMesh, SplitsAnEdgeAndAVertex) {
   EXPECT_EQ(mesh.triangle_mesh().vertices.size(), 98U);
 }
 
-// On a tetrahedron every flip would double an edge and every collapse leave two triangles on the same corners.
-TEST(EditableMesh, RefusesWhatWouldNotBeAMesh) {
+// On a tetrahedron, every flip would duplicate an edge, and every collapse would leave two triangles with the same
+// corners.
+TEST(EditableMesh, RefusesOperationsThatBreakTheMesh) {
   const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   const EditableMesh mesh(points, points, triangles);
@@ -120,7 +121,7 @@ TEST(EditableMesh, RefusesWhatWouldNotBeAMesh) {
   }
 }
 
-// Around a ring of three columns, the ends of a collapsing edge share a neighbour that no triangle holds with both.
+// With three columns, the ends of an edge along a column share a neighbour that is in no triangle with both.
 TEST(EditableMesh, KeepsTheLinkCondition) {
   EditableMesh mesh = torus(12, 3);
   std::size_t refused = 0;
@@ -129,7 +130,7 @@ TEST(EditableMesh, KeepsTheLinkCondition) {
   EXPECT_LT(refused, mesh.half_edge_count());
 }
 
-TEST(EditableMesh, HoldsABorderFixed) {
+TEST(EditableMesh, FixesABorder) {
   const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   const std::vector<Eigen::Vector3d> normals(5, Eigen::Vector3d::UnitZ());
   const EditableMesh mesh(points, normals, std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}});
@@ -137,7 +138,7 @@ TEST(EditableMesh, HoldsABorderFixed) {
   for (Index v = 1; v < 5; ++v) EXPECT_TRUE(mesh.fixed(v));
 }
 
-TEST(EditableMesh, HoldsAPinchFixed) {
+TEST(EditableMesh, FixesAPinch) {
   // Two tetrahedra that meet in vertex 0.
   const std::vector<Eigen::Vector3d> points{{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
                                             {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};

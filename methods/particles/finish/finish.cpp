@@ -25,68 +25,68 @@ EditableMesh editable(const Isosurface& surface, const TriangleMesh& mesh) {
   return {mesh.vertices, std::move(normals), mesh.triangles};
 }
 
-constexpr ShapeEnergy average_shape{0};
-constexpr int sweeps_a_round = 2;
+constexpr ShapeEnergy average_shape{0};  // Σ 1/Q³
+constexpr int sweeps_per_round = 2;
 constexpr int last_sweeps = 4;
 
-/// Searches wider where narrower did not help: the last ones are dear, but there is hardly ever a place left for them.
+/// Each search is wider than the one before. The last ones are slow, but few spots are left for them.
 constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 
-void improve_tail(const MeshGround& ground, EditableMesh& mesh, Monitor& monitor) {
+void improve_tail(const FinishContext& context, EditableMesh& mesh, Monitor& monitor) {
   for (const SearchEffort& search : searches) {
     monitor.check();
-    const std::size_t improved = improve_bad_spots(ground, mesh, ShapeGoal{}, search);
+    const std::size_t improved = improve_bad_spots(context, mesh, ShapeGoal{}, search);
     monitor.trace("finish/places improved", static_cast<double>(improved));
   }
-  monitor.set("finish/places left", static_cast<double>(count_bad_spots(ground, mesh, ShapeGoal{})));
+  monitor.set("finish/places left", static_cast<double>(count_bad_spots(context, mesh, ShapeGoal{})));
 }
 
-void improve_everywhere(const MeshGround& ground, EditableMesh& edited, int rounds, Monitor& monitor) {
+void improve_everywhere(const FinishContext& context, EditableMesh& edited, int rounds, Monitor& monitor) {
   for (int round = 0; round < rounds; ++round) {
     monitor.progress(static_cast<double>(round) / static_cast<double>(rounds + 2));
     {
       const auto stage = monitor.stage("connectivity");
-      monitor.add("finish/collapsed", static_cast<double>(collapse_low_valence(ground, edited)));
-      monitor.add("finish/divided", static_cast<double>(split_high_valence(ground, edited)));
-      monitor.add("finish/flipped", static_cast<double>(flip_for_valence(ground, edited)));
+      monitor.add("finish/collapsed", static_cast<double>(collapse_low_valence(context, edited)));
+      monitor.add("finish/divided", static_cast<double>(split_high_valence(context, edited)));
+      monitor.add("finish/flipped", static_cast<double>(flip_for_valence(context, edited)));
     }
     const auto stage = monitor.stage("shape");
-    smooth(ground, edited, average_shape, sweeps_a_round);
+    smooth(context, edited, average_shape, sweeps_per_round);
   }
   {
     const auto stage = monitor.stage("shape");
-    smooth(ground, edited, average_shape, last_sweeps);
-    monitor.add("finish/flipped", static_cast<double>(flip_for_shape(ground, edited)));
-    smooth(ground, edited, ShapeEnergy{1}, last_sweeps);
+    smooth(context, edited, average_shape, last_sweeps);
+    monitor.add("finish/flipped", static_cast<double>(flip_for_shape(context, edited)));
+    smooth(context, edited, ShapeEnergy{1}, last_sweeps);
   }
   {
     const auto stage = monitor.stage("tail");
-    improve_tail(ground, edited, monitor);
+    improve_tail(context, edited, monitor);
   }
-  project_all(ground.surface, edited);
+  project_all(context.surface, edited);
 }
 
-using Meeting = std::array<std::uint32_t, 2>;
+using TrianglePair = std::array<std::uint32_t, 2>;
 
-// The pairs of triangles that meet, without those that were given so: whose corners are all kept.
-std::vector<Meeting> made_here(const EditableMesh& edited, const std::vector<std::uint8_t>& kept,
-                               const TriangleMesh& finished) {
-  std::vector<Meeting> pairs = self_intersections(finished);
+/// The intersecting pairs of triangles, without pairs of untouched triangles, which intersected before the finish.
+std::vector<TrianglePair> new_intersections(const EditableMesh& edited, const std::vector<std::uint8_t>& untouched,
+                                            const TriangleMesh& finished) {
+  std::vector<TrianglePair> pairs = self_intersections(finished);
   if (pairs.empty()) return pairs;
-  std::vector<std::uint8_t> as_given;
+  std::vector<std::uint8_t> is_untouched_vertex;
   for (EditableMesh::Index v = 0; v < edited.vertex_count(); ++v) {
-    if (edited.alive(v)) as_given.push_back(v < kept.size() ? kept[v] : 0);
+    if (edited.alive(v)) is_untouched_vertex.push_back(v < untouched.size() ? untouched[v] : 0);
   }
-  const auto is_given = [&](std::uint32_t triangle) {
+  const auto is_untouched = [&](std::uint32_t triangle) {
     const Triangle& corners = finished.triangles[triangle];
-    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return as_given[c] != 0; });
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return is_untouched_vertex[c] != 0; });
   };
-  std::erase_if(pairs, [&](const Meeting& pair) { return is_given(pair[0]) && is_given(pair[1]); });
+  std::erase_if(pairs, [&](const TrianglePair& pair) { return is_untouched(pair[0]) && is_untouched(pair[1]); });
   return pairs;
 }
 
-// Marks the vertices of `mesh` within `reach` of a triangle of `other`.
+/// Marks the vertices of `mesh` within `reach` of the bounding box of a triangle of `other`.
 void mark_near(const TriangleMesh& mesh, const TriangleMesh& other, std::uint32_t triangle, double reach,
                std::vector<std::uint8_t>& marks) {
   Eigen::AlignedBox3d box;
@@ -106,23 +106,23 @@ double longest_edge(const TriangleMesh& mesh, std::uint32_t triangle) {
 
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor) {
-  const MeshGround ground{surface, sizing};
-  std::vector<std::uint8_t> kept(mesh.vertices.size(), 0);  // of the given mesh: vertices that stay as they are
-  constexpr int rollbacks = 5;
-  for (int attempt = 0; attempt < rollbacks; ++attempt) {
+  const FinishContext context{surface, sizing};
+  std::vector<std::uint8_t> untouched(mesh.vertices.size(), 0);  // vertices of the given mesh that stay as they are
+  constexpr int attempts = 5;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
     EditableMesh edited = editable(surface, mesh);
-    for (EditableMesh::Index v = 0; v < kept.size(); ++v) {
-      if (kept[v] != 0) edited.fix(v);
+    for (EditableMesh::Index v = 0; v < untouched.size(); ++v) {
+      if (untouched[v] != 0) edited.fix(v);
     }
-    improve_everywhere(ground, edited, rounds, monitor);
+    improve_everywhere(context, edited, rounds, monitor);
     TriangleMesh finished = edited.triangle_mesh();
     const auto stage = monitor.stage("intersections");
-    const std::vector<Meeting> made = made_here(edited, kept, finished);
-    if (made.empty()) return finished;
-    monitor.add("finish/intersections rolled back", static_cast<double>(made.size()));
-    for (const Meeting& pair : made) {
+    const std::vector<TrianglePair> intersections = new_intersections(edited, untouched, finished);
+    if (intersections.empty()) return finished;
+    monitor.add("finish/intersections rolled back", static_cast<double>(intersections.size()));
+    for (const TrianglePair& pair : intersections) {
       for (const std::uint32_t triangle : pair) {
-        mark_near(mesh, finished, triangle, std::exp2(attempt) * longest_edge(finished, triangle), kept);
+        mark_near(mesh, finished, triangle, std::exp2(attempt) * longest_edge(finished, triangle), untouched);
       }
     }
   }

@@ -1,4 +1,4 @@
-// The finish: valences and shapes of a mesh made good, its vertices kept on F = c and its edges below h0.
+// The finish: improves the valences and the triangle shapes of a mesh, with vertices on F = c and edges not above h0.
 #pragma once
 
 #include "isobench/datasets/isosurface.h"
@@ -8,21 +8,22 @@
 
 namespace isobench::particles {
 
-/// Rounds of collapses, divisions and flips that bring valences to 5-7, each followed by sweeps of smoothing (Σ 1/Q³);
-/// then the places where a triangle, a valence or an edge is still not as wanted are searched one by one. Vertices at
-/// borders and pinches stay where they are. What no search mended stays: it is counted as "finish/places left".
+/// Each of the `rounds` changes connectivity by collapses, vertex splits and flips, which bring valences to 5–7, and
+/// then smooths the vertices (minimises Σ 1/Q³). After the rounds, a local search (local_search.h) improves the
+/// remaining bad spots: triangles, valences and edges that miss their goal. Vertices at borders and pinches stay where
+/// they are. Spots that no search improves enough are counted as "finish/places left".
 ///
-/// An edge above h0 is such a place, and no change makes one; where the sizing is uniform, lengths are left to the
-/// shapes. `mesh` is a sampling of F = c that is as dense as the sizing asks.
+/// With an adaptive sizing, edges above h0 are bad spots, and no change of connectivity creates one. With a uniform
+/// sizing, edge lengths are not checked. `mesh` samples F = c as densely as the sizing asks.
 ///
-/// Triangles within 60° of the normals of F at their corners do not fold, but sheets nearer than their edges are long
-/// could meet. So the result is looked through for self-intersections at the end; where there are some, that
-/// neighbourhood is rolled back, which is to say that the finish is done again without touching it (twice as wide a one
-/// each time, in the last resort everywhere). Pairs met with are counted as "finish/intersections rolled back". What
-/// `mesh` itself has of them stays.
+/// Triangles within 60° of the normals of F at their corners do not fold over, but sheets that are closer than the
+/// edges are long could intersect. So the result is checked for self-intersections. If there are new ones, the finish
+/// runs again and leaves the vertices near them untouched; this neighbourhood doubles with each attempt, and after five
+/// attempts the given mesh is returned. Intersecting pairs of triangles are counted as "finish/intersections rolled
+/// back". Self-intersections of the given mesh may remain.
 ///
-/// Stages "connectivity", "shape", "tail" and "intersections" of the monitor's current stage. The same mesh for any
-/// number of threads. Cost: 10 to 25 µs of one core a vertex, on all threads.
+/// Stages "connectivity", "shape", "tail" and "intersections" of the monitor's current stage. The result does not
+/// depend on the number of threads. Cost: 10 to 25 µs of CPU time a vertex, on all threads.
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor);
 

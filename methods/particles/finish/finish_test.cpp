@@ -15,6 +15,7 @@
 #include "isobench/methods/method.h"
 #include "isobench/methods/particles/finish/local_search.h"
 #include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench::particles {
 namespace {
@@ -70,23 +71,10 @@ Finished finished(const std::string& name, int nodes, const SizingRequest& reque
   return result;
 }
 
-SizingRequest adaptive(double epsilon) {
-  SizingRequest request;
-  request.epsilon = epsilon;
-  request.delta = 0.3;
-  return request;
-}
-
-SizingRequest matching(double vertices) {
-  SizingRequest request;
-  request.vertices = vertices;
-  return request;
-}
-
-// Lower bounds: what the four real volumes must reach, on phantoms.
+// The bounds are those that the four real volumes must meet.
 TEST(Finish, ReachesTheGoalUnderGradation) {
   for (const char* name : {"torus", "ellipsoid", "rounded-box", "gyroid-ball"}) {
-    const Finished result = finished(name, 64, adaptive(0.25));
+    const Finished result = finished(name, 64, adaptive(0.25, 0.3));
     const MeshFacts facts = mesh_facts(result.mesh);
     EXPECT_EQ(facts.euler, phantom(name).euler) << name;
     EXPECT_EQ(facts.open_edges, 0U) << name;
@@ -102,8 +90,8 @@ TEST(Finish, ReachesTheGoalUnderGradation) {
 
 TEST(Finish, ReachesTheGoalAtUniformSize) {
   for (const char* name : {"sphere", "torus"}) {
-    const Finished before = finished(name, 48, matching(5000), 0);
-    const Finished after = finished(name, 48, matching(5000));
+    const Finished before = finished(name, 48, with_vertices(5000), 0);
+    const Finished after = finished(name, 48, with_vertices(5000));
     EXPECT_GE(after.shape.least_q, 0.88) << name;
     EXPECT_GE(after.shape.mean_q, 0.985) << name;
     EXPECT_GT(after.shape.mean_q, before.shape.mean_q) << name;
@@ -117,7 +105,7 @@ TEST(Finish, DoesNotDependOnThreads) {
   std::vector<TriangleMesh> meshes;
   for (const std::size_t threads : {1U, 2U, 4U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    meshes.push_back(finished("gyroid-ball", 48, adaptive(0.35)).mesh);
+    meshes.push_back(finished("gyroid-ball", 48, adaptive(0.35, 0.3)).mesh);
   }
   for (const TriangleMesh& mesh : meshes) {
     ASSERT_EQ(mesh.vertices.size(), meshes[0].vertices.size());
@@ -128,8 +116,8 @@ TEST(Finish, DoesNotDependOnThreads) {
   }
 }
 
-// A ball with a hollow that comes close to its surface at the north pole. Triangles sag below the outer sheet by more
-// than the gap where they are as large as elsewhere; in this mesh they are smaller there, which the finish undoes.
+// A ball with a spherical cavity that comes close to the outer surface at the north pole. Triangles of the usual size
+// sag into the cavity there. In this mesh the triangles near the pole are smaller, but the finish makes them even.
 struct HollowBall {
   static constexpr double outer = 10.0;
   static constexpr double hollow = 8.0;
@@ -158,9 +146,9 @@ struct HollowBall {
   }
 
  private:
-  Volume sampled() const {
+  FloatVolume sampled() const {
     constexpr int nodes = 61;
-    Volume volume;
+    FloatVolume volume;
     volume.lattice.size = {nodes, nodes, nodes};
     volume.lattice.spacing = {0.5, 0.5, 0.5};
     for (int k = 0; k < nodes; ++k) {
@@ -181,17 +169,17 @@ double rolled_back(const Monitor& monitor) {
   return found == monitor.counters().end() ? 0.0 : found->second;
 }
 
-TEST(Finish, RollsBackWhereSheetsWouldMeet) {
+TEST(Finish, RollsBackWhereSheetsWouldIntersect) {
   const HollowBall ball(0.25, 1.3);
   ASSERT_EQ(count_self_intersections(ball.mesh), 0U);
   Monitor monitor;
   const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
-  EXPECT_GT(rolled_back(monitor), 0.0) << "nothing met: the ball is no test";
+  EXPECT_GT(rolled_back(monitor), 0.0) << "no intersections: the mesh does not test the rollback";
   EXPECT_EQ(count_self_intersections(finished), 0U);
   const MeshFacts facts = mesh_facts(finished);
   EXPECT_EQ(facts.euler, 4);
   EXPECT_EQ(facts.open_edges, 0U);
-  // Away from the pole it is finished all the same.
+  // The finish still improves the mesh away from the pole.
   const auto mean_q = [&](const TriangleMesh& mesh) {
     double sum = 0.0;
     int count = 0;
@@ -205,23 +193,24 @@ TEST(Finish, RollsBackWhereSheetsWouldMeet) {
   EXPECT_GT(mean_q(finished), mean_q(ball.mesh) + 0.003);
 }
 
-TEST(Finish, LeavesWhatMetBefore) {
+TEST(Finish, KeepsIntersectionsOfTheGivenMesh) {
   const HollowBall ball(0.3, 1.2);
   const std::size_t given = count_self_intersections(ball.mesh);
   ASSERT_GT(given, 0U);
   Monitor monitor;
   const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
   EXPECT_LE(count_self_intersections(finished), given);
-  EXPECT_NE(finished.vertices, ball.mesh.vertices) << "what meets in one place must not keep all from being finished";
+  EXPECT_NE(finished.vertices, ball.mesh.vertices)
+      << "intersections in one place must not prevent the finish elsewhere";
 }
 
-class FinishPatch : public testing::Test {
+class FinishLocalSearch : public testing::Test {
  protected:
-  FinishPatch() : surface_(sample_phantom(phantom("sphere"), 32), 0.0), sizing_(0.25) {
+  FinishLocalSearch() : surface_(sample_phantom(phantom("sphere"), 32), 0.0), sizing_(0.25) {
     const Method& particles = method("particles");
     Monitor monitor;
     const TriangleMesh mesh =
-        particles.mesh(MeshingTask(surface_, matching(500), Parameters(particles.parameters), 1), monitor);
+        particles.mesh(MeshingTask(surface_, with_vertices(500), Parameters(particles.parameters), 1), monitor);
     std::vector<Eigen::Vector3d> normals;
     for (const auto& x : mesh.vertices) normals.push_back(outward_normal(surface_.value_gradient(x).gradient));
     mesh_ = EditableMesh(mesh.vertices, normals, mesh.triangles);
@@ -232,13 +221,13 @@ class FinishPatch : public testing::Test {
   EditableMesh mesh_;
 };
 
-TEST_F(FinishPatch, PutBackUnchangedLeavesTheMesh) {
+TEST_F(FinishLocalSearch, LeavesTheMeshWithoutAChange) {
   const TriangleMesh before = mesh_.triangle_mesh();
   const std::vector<EditableMesh::Index> centres{17};
-  const Submesh patch = cut_out(mesh_, centres, 3);
-  EXPECT_GT(patch.vertices.size(), 19U);
-  EXPECT_EQ(patch.core.size(), mesh_.valence(17) + 1U);
-  put_back(mesh_, patch);
+  const Submesh submesh = extract_submesh(mesh_, centres, 3);
+  EXPECT_GT(submesh.vertices.size(), 19U);
+  EXPECT_EQ(submesh.core.size(), mesh_.valence(17) + 1U);
+  put_back_submesh(mesh_, submesh);
   const MeshFacts facts = mesh_facts(mesh_.triangle_mesh());
   EXPECT_EQ(facts.euler, 2);
   EXPECT_EQ(facts.open_edges, 0U);
@@ -246,14 +235,14 @@ TEST_F(FinishPatch, PutBackUnchangedLeavesTheMesh) {
   for (EditableMesh::Index v = 0; v < mesh_.vertex_count(); ++v) EXPECT_TRUE(mesh_.movable(v));
 }
 
-// A vertex of valence 4 or so, made by splitting an edge, is what the search must find a way out of.
-TEST_F(FinishPatch, SearchMendsABadPlace) {
-  const MeshGround ground{surface_, sizing_};
-  ASSERT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
-  ASSERT_NE(split_in_the_middle(ground, mesh_, 100), EditableMesh::none);
-  ASSERT_GT(missed(ground, mesh_, ShapeGoal{}), 1.0);
-  EXPECT_EQ(improve_bad_spots(ground, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
-  EXPECT_EQ(missed(ground, mesh_, ShapeGoal{}), 0.0);
+// Splitting an edge creates a vertex of valence 4, which the search must remove.
+TEST_F(FinishLocalSearch, ImprovesABadSpot) {
+  const FinishContext context{surface_, sizing_};
+  ASSERT_EQ(shortfall(context, mesh_, ShapeGoal{}), 0.0);
+  ASSERT_NE(split_edge_at_middle(context, mesh_, 100), EditableMesh::none);
+  ASSERT_GT(shortfall(context, mesh_, ShapeGoal{}), 1.0);
+  EXPECT_EQ(improve_bad_spots(context, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
+  EXPECT_EQ(shortfall(context, mesh_, ShapeGoal{}), 0.0);
   EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).euler, 2);
   EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).open_edges, 0U);
 }

@@ -1,5 +1,6 @@
-// The tail of the finish: places where a triangle, a valence or an edge is still bad are cut out as small meshes, on
-// which one tries changes of connectivity, each followed by smoothing, and puts the best result back.
+// The tail of the finish: a local search at bad spots, where a triangle, a valence or an edge misses its goal. It
+// extracts a small submesh around each spot, tries changes of connectivity followed by smoothing, and puts the best
+// result back.
 #pragma once
 
 #include <cstddef>
@@ -11,47 +12,48 @@
 
 namespace isobench::particles {
 
-/// What a mesh is to reach everywhere.
+/// The bounds that all triangles should meet.
 struct ShapeGoal {
-  double radius_ratio = 0.85;
+  double radius_ratio = 0.85;   ///< least 2 r/R (shape_energy.h)
   double least_angle = 37.5;    ///< degrees
   double largest_angle = 87.5;  ///< degrees
 };
 
-/// How much of the goal is missed: 0 where triangles, valences (5 to 7) and edges (up to h0) are all as wanted.
-/// Valences of fixed vertices count as well: on a piece they are those of the whole mesh.
-double missed(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal);
+/// How far a mesh is from the goal: 0 if all triangles, valences (5 to 7) and edges (up to h0) meet it. Valences of
+/// fixed vertices count as well; in a submesh they are those of the whole mesh.
+double shortfall(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal);
 
-/// A piece of a mesh as a mesh of its own: its border is fixed.
+/// A part of a mesh as a mesh of its own, with a fixed border.
 struct Submesh {
   EditableMesh mesh;
-  std::vector<EditableMesh::Index> vertices;   ///< of the whole mesh, one for each of the piece's
-  std::vector<EditableMesh::Index> triangles;  ///< of the whole mesh
-  std::vector<EditableMesh::Index> core;       ///< vertices of the piece around which changes are tried
+  std::vector<EditableMesh::Index> vertices;   ///< of each vertex of the submesh: its index in the whole mesh
+  std::vector<EditableMesh::Index> triangles;  ///< indices of the extracted triangles in the whole mesh
+  std::vector<EditableMesh::Index> core;       ///< vertices of the submesh around which changes are tried
 };
 
-/// All triangles with a corner at most `rings` - 1 edges from one of the centres; the core is the centres and their
-/// neighbours.
-Submesh cut_out(const EditableMesh& mesh, std::span<const EditableMesh::Index> centres, int rings);
-void put_back(EditableMesh& mesh, const Submesh& patch);
+/// Extracts all triangles with a corner at most `rings` − 1 edges from one of the centres. The core consists of the
+/// centres and their neighbours.
+Submesh extract_submesh(const EditableMesh& mesh, std::span<const EditableMesh::Index> centres, int rings);
+/// Replaces the extracted triangles by those of the submesh.
+void put_back_submesh(EditableMesh& mesh, const Submesh& submesh);
 
-/// How far to search on a patch.
+/// The extent of a search.
 struct SearchEffort {
-  int rings = 3;
-  int depth = 1;  ///< changes in a row
-  int beam = 1;   ///< states kept after each
+  int rings = 3;  ///< size of the submesh (extract_submesh)
+  int depth = 1;  ///< number of changes in a row
+  int beam = 1;   ///< number of states kept after each change
 };
 
-/// Tries flips, collapses and divisions around the core, with smoothing; true, and the patch changed, where less of the
-/// goal is missed then.
-bool improve(const MeshGround& ground, Submesh& patch, const ShapeGoal& goal, const SearchEffort& search);
+/// Tries flips, collapses and splits around the core, each with smoothing. If the best result has a smaller shortfall
+/// by at least 1 %, the submesh becomes that result, and the function returns true.
+bool improve(const FinishContext& context, Submesh& submesh, const ShapeGoal& goal, const SearchEffort& search);
 
-/// Improves all places that miss the goal, those that do not meet in parallel. Returns how many were improved.
-/// The result does not depend on the number of threads.
-std::size_t improve_bad_spots(const MeshGround& ground, EditableMesh& mesh, const ShapeGoal& goal,
+/// Searches at all bad spots whose submeshes do not overlap, in parallel. Returns how many were improved. The result
+/// does not depend on the number of threads.
+std::size_t improve_bad_spots(const FinishContext& context, EditableMesh& mesh, const ShapeGoal& goal,
                               const SearchEffort& search);
 
-/// Triangles and vertices that miss the goal.
-std::size_t count_bad_spots(const MeshGround& ground, const EditableMesh& mesh, const ShapeGoal& goal);
+/// The number of bad spots: triangles, with their edges, and valences that miss the goal.
+std::size_t count_bad_spots(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal);
 
 }  // namespace isobench::particles

@@ -8,8 +8,9 @@ namespace isobench::particles {
 
 namespace {
 
-constexpr double floor_q = 1e-4;  // below, the energy of a triangle is held where it can still be computed with
+constexpr double floor_q = 1e-4;  // Q is taken to be at least this, so that the energy stays finite
 
+/// (1/Q)^p.
 double raise(ShapeEnergy energy, double inverse_q) {
   double f = inverse_q * inverse_q * inverse_q;
   for (int k = 0; k < energy.doublings; ++k) f *= f;
@@ -30,7 +31,7 @@ EnergyJet shape_energy(ShapeEnergy energy, const Ring& ring, const Eigen::Vector
                        const Eigen::Vector3d& tangent_v) {
   const double p = 3.0 * static_cast<double>(1 << energy.doublings);
   EnergyJet jet;
-  // Each edge from x: its length, and the length's gradient and Hessian in the tangent plane.
+  // An edge from x: its length, and the gradient and Hessian of the length in the tangent plane.
   struct Edge {
     double length;
     Eigen::Vector2d first;
@@ -48,7 +49,7 @@ EnergyJet shape_energy(ShapeEnergy energy, const Ring& ring, const Eigen::Vector
     const double a = (ring.points[k + 1] - ring.points[k]).norm();
     const double b = edges[k].length;
     const double c = edges[k + 1].length;
-    // Q = (b+c−a)(c+a−b)(a+b−c)/(abc); s, t, u are its factors' inverses.
+    // Q = (b+c−a)(c+a−b)(a+b−c)/(abc); s, t and u are the inverses of the three factors.
     const double tiny = floor_q * (a + b + c);
     const double s = 1.0 / std::max(b + c - a, tiny);
     const double t = 1.0 / std::max(c + a - b, tiny);
@@ -59,7 +60,7 @@ EnergyJet shape_energy(ShapeEnergy energy, const Ring& ring, const Eigen::Vector
     const double dbb = -s * s - t * t - u * u + 1.0 / (b * b);
     const double dcc = -s * s - t * t - u * u + 1.0 / (c * c);
     const double dbc = -s * s + t * t + u * u;
-    // f = exp(−p ln Q), and ln Q depends on x by b and c.
+    // f = exp(−p ln Q), and ln Q depends on x through b and c.
     const Eigen::Vector2d& eb = edges[k].first;
     const Eigen::Vector2d& ec = edges[k + 1].first;
     const Eigen::Vector2d log_first = db * eb + dc * ec;
@@ -100,9 +101,9 @@ Eigen::Vector2d newton_step(const EnergyJet& jet) {
   const double half = 0.5 * (h(0, 0) - h(1, 1));
   const double radius = std::hypot(half, h(0, 1));
   const double high = std::max({mean + radius, radius - mean, 1e-300});
-  // Where the energy bends the wrong way, its bend's size still says how far to go.
+  // A negative eigenvalue still gives the length of the step by its magnitude.
   const double low = std::max(std::abs(mean - radius), 0.1 * high);
-  // Spectral form: H⁺ = m I + k (H − mean I)/radius with eigenvalues high and low.
+  // The inverse of the matrix with the eigenvectors of H and the eigenvalues high and low.
   if (radius < 1e-12 * high) return -jet.gradient / high;
   Eigen::Matrix2d direction = (h - mean * Eigen::Matrix2d::Identity()) / radius;
   const double inverse_mean = 0.5 * (1.0 / high + 1.0 / low);

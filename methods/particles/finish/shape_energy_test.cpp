@@ -9,7 +9,7 @@
 namespace isobench::particles {
 namespace {
 
-/// A fan of `size` triangles, uneven, not flat.
+/// A fan of `size` triangles that is neither regular nor flat.
 Ring uneven_ring(std::size_t size) {
   Ring ring;
   ring.size = size;
@@ -45,7 +45,7 @@ TEST(ShapeEnergy, HasTheDerivativesOfItsValue) {
       const auto value = [&](double s, double t) { return fan_state(energy, ring, x + s * u + t * v, n).energy; };
       const double scale = std::abs(jet.value) * (1 << doublings);
       EXPECT_NEAR(jet.value, value(0, 0), 1e-10 * scale);
-      // Central differences err by the third and fourth derivatives times step², which grow like p³ and p⁴.
+      // The error of central differences is step² times third and fourth derivatives, which grow like p³ and p⁴.
       const double tolerance = 1e-5 * scale * std::pow(4.0, doublings);
       EXPECT_NEAR(jet.gradient[0], (value(step, 0) - value(-step, 0)) / (2 * step), tolerance);
       EXPECT_NEAR(jet.gradient[1], (value(0, step) - value(0, -step)) / (2 * step), tolerance);
@@ -60,7 +60,7 @@ TEST(ShapeEnergy, HasTheDerivativesOfItsValue) {
   }
 }
 
-TEST(NewtonStep, IsNewtonsWhereTheHessianIsPositiveAndGoesDownElsewhere) {
+TEST(NewtonStep, IsExactWhereTheHessianIsPositiveAndDescendsElsewhere) {
   EnergyJet jet;
   jet.gradient = {1.0, -2.0};
   jet.hessian << 3.0, 1.0, 1.0, 2.0;
@@ -71,7 +71,7 @@ TEST(NewtonStep, IsNewtonsWhereTheHessianIsPositiveAndGoesDownElsewhere) {
   EXPECT_NEAR((newton_step(jet) + jet.gradient / 2.0).norm(), 0.0, 1e-13);
 }
 
-TEST(FanState, TellsATriangleTurnedOver) {
+TEST(FanState, DetectsAnInvertedTriangle) {
   const Ring ring = uneven_ring(6);
   EXPECT_GT(fan_state(ShapeEnergy{}, ring, {0, 0, 0}, Eigen::Vector3d::UnitZ()).least_cosine, 0.8);
   EXPECT_LT(fan_state(ShapeEnergy{}, ring, {3, 0, 0}, Eigen::Vector3d::UnitZ()).least_cosine, 0.0);

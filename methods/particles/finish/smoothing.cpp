@@ -13,8 +13,9 @@ namespace {
 
 using Index = EditableMesh::Index;
 
-constexpr double at_rest = 5e-3;      // of the mean distance to the neighbours
-constexpr double largest_move = 0.3;  // of it
+// In units of the mean distance to the neighbours.
+constexpr double at_rest = 5e-3;
+constexpr double largest_move = 0.3;
 
 }  // namespace
 
@@ -34,7 +35,7 @@ bool gather_ring(const EditableMesh& mesh, Index v, Ring& ring) {
   return true;
 }
 
-double improve_vertex(const MeshGround& ground, EditableMesh& mesh, Index v, ShapeEnergy energy) {
+double improve_vertex(const FinishContext& context, EditableMesh& mesh, Index v, ShapeEnergy energy) {
   Ring ring;
   if (!gather_ring(mesh, v, ring)) return 0.0;
   const Eigen::Vector3d x = mesh.points[v];
@@ -51,11 +52,11 @@ double improve_vertex(const MeshGround& ground, EditableMesh& mesh, Index v, Sha
   if (length > largest_move * scale) step *= largest_move * scale / length;
 
   const FanState before = fan_state(energy, ring, x, n);
-  const double allowed = ground.sizing.uniform() ? least_cosine_uniform : least_cosine;
+  const double allowed = context.sizing.uniform() ? least_cosine_uniform : least_cosine;
   const double least = std::min(allowed, before.least_cosine);
   for (int attempt = 0; attempt < 4; ++attempt, step *= 0.35) {
-    Eigen::Vector3d to = (x + step[0] * u + step[1] * w).cwiseMax(0.0).cwiseMin(ground.surface.extent());
-    const Jet at = ground.surface.value_gradient(to);
+    Eigen::Vector3d to = (x + step[0] * u + step[1] * w).cwiseMax(0.0).cwiseMin(context.surface.extent());
+    const Jet at = context.surface.value_gradient(to);
     const double slope = at.gradient.norm();
     const double off = slope > 0.0 ? at.value / slope : 0.0;
     if (!(slope > 0.0) || std::abs(off) > largest_move * scale) continue;
@@ -85,7 +86,7 @@ std::vector<std::vector<Index>> colour(const EditableMesh& mesh) {
     } while (e != mesh.out(v));
     std::uint8_t mine = 0;
     while (mine < 64 && (taken >> mine & 1U) != 0) ++mine;
-    if (mine == 64) continue;  // a vertex of so many neighbours stays where it is
+    if (mine == 64) continue;  // neighbours have all 64 colours; the vertex stays where it is
     colour_of[v] = mine;
     if (classes.size() <= mine) classes.resize(mine + std::size_t{1});
     classes[mine].push_back(v);
@@ -93,7 +94,7 @@ std::vector<std::vector<Index>> colour(const EditableMesh& mesh) {
   return classes;
 }
 
-void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps) {
+void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps) {
   const auto classes = colour(mesh);
   std::vector<std::uint8_t> moved(mesh.vertex_count(), 1);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -101,24 +102,24 @@ void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, in
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, independent.size(), 256), [&](const auto& range) {
         for (std::size_t n = range.begin(); n < range.end(); ++n) {
           const Index v = independent[n];
-          bool stirred = moved[v] != 0;
-          for (Index e = mesh.turn(mesh.out(v)); !stirred; e = mesh.turn(e)) {
-            stirred = moved[mesh.target(e)] != 0;
+          bool has_moved_nearby = moved[v] != 0;
+          for (Index e = mesh.turn(mesh.out(v)); !has_moved_nearby; e = mesh.turn(e)) {
+            has_moved_nearby = moved[mesh.target(e)] != 0;
             if (e == mesh.out(v)) break;
           }
-          if (stirred) moved[v] = improve_vertex(ground, mesh, v, energy) > at_rest ? 1 : 0;
+          if (has_moved_nearby) moved[v] = improve_vertex(context, mesh, v, energy) > at_rest ? 1 : 0;
         }
       });
     }
   }
 }
 
-void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
             std::span<const Index> vertices) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double most = 0.0;
     for (const Index v : vertices) {
-      if (mesh.movable(v)) most = std::max(most, improve_vertex(ground, mesh, v, energy));
+      if (mesh.movable(v)) most = std::max(most, improve_vertex(context, mesh, v, energy));
     }
     if (most < at_rest) return;
   }

@@ -1,4 +1,4 @@
-// Moving vertices of a mesh over F = c to where the triangles around them have better shapes.
+// Smoothing: moves vertices on F = c so that the triangles around them get better shapes.
 #pragma once
 
 #include <span>
@@ -11,32 +11,33 @@
 
 namespace isobench::particles {
 
-/// Triangles may be turned this far from the normals of F at their corners, unless they were turned farther before.
+/// Cosine of the largest angle allowed between a triangle and the normals of F at its corners, unless the angle was
+/// larger before.
 constexpr double least_cosine = 0.5;
-/// Moves hold to this where edges are of one length: nothing but the vertices' places then keeps a mesh close to a
-/// surface that bends within an edge, and good shapes would have them slide off its tips. (Where lengths follow the
-/// feature size, it would be in the way at the sharpest places, which the sizing holds already.)
+/// The same for moves under a uniform sizing. There the surface may bend within the length of an edge, and smoothing
+/// would let vertices slide off its tips. An adaptive sizing prevents that by itself, and this bound would be too tight
+/// at its sharpest places.
 constexpr double least_cosine_uniform = 0.8;
 
-/// The neighbours of a movable vertex. False, and nothing usable, where they are more than a ring takes.
+/// The neighbours of a movable vertex. Returns false, with an unusable ring, if there are more than Ring::most.
 bool gather_ring(const EditableMesh& mesh, EditableMesh::Index v, Ring& ring);
 
-/// One Newton step of v on the energy of its triangles, in its tangent plane, and one back to F = c, shortened until
-/// the energy falls. Returns how far v moved against its mean distance from its neighbours.
-double improve_vertex(const MeshGround& ground, EditableMesh& mesh, EditableMesh::Index v, ShapeEnergy energy);
+/// Moves v by one Newton step on its shape energy in its tangent plane and one Newton step back to F = c. The step is
+/// shortened until the energy falls. Returns the length of the move, divided by the mean distance to the neighbours.
+double improve_vertex(const FinishContext& context, EditableMesh& mesh, EditableMesh::Index v, ShapeEnergy energy);
 
-/// Vertices in classes of which no two are neighbours.
+/// The movable vertices in classes such that no two vertices of a class are neighbours.
 std::vector<std::vector<EditableMesh::Index>> colour(const EditableMesh& mesh);
 
-/// `sweeps` sweeps over all movable vertices, one class after another, each in parallel; vertices that rest among
-/// neighbours that rest are passed over. The result does not depend on the number of threads.
-void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps);
+/// `sweeps` sweeps over all movable vertices, one class after another, each class in parallel. Skips a vertex if
+/// neither it nor a neighbour moved in its last turn. The result does not depend on the number of threads.
+void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps);
 
-/// The same over some vertices in the order given, on one thread.
-void smooth(const MeshGround& ground, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+/// The same for some vertices, in the order given and on one thread.
+void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
             std::span<const EditableMesh::Index> vertices);
 
-/// All movable vertices to F = c within 1e-6 voxel.
+/// Projects all movable vertices to F = c, within 1e-6 voxel.
 void project_all(const Isosurface& surface, EditableMesh& mesh);
 
 }  // namespace isobench::particles

@@ -20,7 +20,7 @@ int defect(int valence) { return (valence - 6) * (valence - 6); }
 int valence(const EditableMesh& mesh, Index v) { return static_cast<int>(mesh.valence(v)); }
 
 /// The cosine of the largest angle between a triangle and the normals at its corners.
-double uprightness(const EditableMesh& mesh, Index a, Index b, Index c) {
+double normal_cosine(const EditableMesh& mesh, Index a, Index b, Index c) {
   const Vector3d across = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
   const double length = across.norm();
   if (!(length > 0.0)) return -1.0;
@@ -41,17 +41,17 @@ std::vector<Index> out_edges(const EditableMesh& mesh, Index v) {
   return edges;
 }
 
-/// The worst triangle around a vertex.
+/// The worst values among the triangles around a vertex.
 struct Fan {
   double least_q = 1.0;
-  double least_upright = 1.0;
+  double least_normal_cosine = 1.0;
 };
 
 Fan fan_of(const EditableMesh& mesh, Index v) {
   Fan fan;
   for (const Index e : out_edges(mesh, v)) {
     fan.least_q = std::min(fan.least_q, ratio(mesh, v, mesh.target(e), mesh.apex(e)));
-    fan.least_upright = std::min(fan.least_upright, uprightness(mesh, v, mesh.target(e), mesh.apex(e)));
+    fan.least_normal_cosine = std::min(fan.least_normal_cosine, normal_cosine(mesh, v, mesh.target(e), mesh.apex(e)));
   }
   return fan;
 }
@@ -69,8 +69,8 @@ std::optional<OnSurface> on_surface(const Isosurface& surface, const Vector3d& x
 
 }  // namespace
 
-double edge_over_h0(const MeshGround& ground, const Vector3d& a, const Vector3d& b) {
-  return (a - b).norm() * 2.0 / (ground.sizing.h0(a) + ground.sizing.h0(b));
+double edge_over_h0(const FinishContext& context, const Vector3d& a, const Vector3d& b) {
+  return (a - b).norm() * 2.0 / (context.sizing.h0(a) + context.sizing.h0(b));
 }
 
 int flip_gain(const EditableMesh& mesh, Index e) {
@@ -81,22 +81,22 @@ int flip_gain(const EditableMesh& mesh, Index e) {
   return defect(a) + defect(b) + defect(c) + defect(d) - defect(a - 1) - defect(b - 1) - defect(c + 1) - defect(d + 1);
 }
 
-bool flip_keeps_shape(const MeshGround& ground, const EditableMesh& mesh, Index e, double least_q) {
+bool flip_keeps_shape(const FinishContext& context, const EditableMesh& mesh, Index e, double least_q) {
   const Index a = mesh.origin(e);
   const Index b = mesh.target(e);
   const Index c = mesh.apex(e);
   const Index d = mesh.apex(mesh.twin(e));
   const double q = std::min(ratio(mesh, a, d, c), ratio(mesh, b, c, d));
   if (q < least_q && q <= std::min(ratio(mesh, a, b, c), ratio(mesh, b, a, d))) return false;
-  const double upright = std::min(uprightness(mesh, a, d, c), uprightness(mesh, b, c, d));
-  if (upright < least_cosine && upright < std::min(uprightness(mesh, a, b, c), uprightness(mesh, b, a, d)))
+  const double cosine = std::min(normal_cosine(mesh, a, d, c), normal_cosine(mesh, b, c, d));
+  if (cosine < least_cosine && cosine < std::min(normal_cosine(mesh, a, b, c), normal_cosine(mesh, b, a, d)))
     return false;
-  if (ground.sizing.uniform()) return true;
-  return edge_over_h0(ground, mesh.points[c], mesh.points[d]) <=
-         std::max(1.0, edge_over_h0(ground, mesh.points[a], mesh.points[b]));
+  if (context.sizing.uniform()) return true;
+  return edge_over_h0(context, mesh.points[c], mesh.points[d]) <=
+         std::max(1.0, edge_over_h0(context, mesh.points[a], mesh.points[b]));
 }
 
-bool collapse_keeps_shape(const MeshGround& ground, const EditableMesh& mesh, Index e, double least_q) {
+bool collapse_keeps_shape(const FinishContext& context, const EditableMesh& mesh, Index e, double least_q) {
   const Index a = mesh.origin(e);
   const Index b = mesh.target(e);
   for (const Index o : out_edges(mesh, a)) {
@@ -104,13 +104,13 @@ bool collapse_keeps_shape(const MeshGround& ground, const EditableMesh& mesh, In
     const Index q = mesh.apex(o);
     if (p == b || q == b) continue;
     if (ratio(mesh, b, p, q) < least_q) return false;
-    if (uprightness(mesh, b, p, q) < least_cosine) return false;
-    if (!ground.sizing.uniform() && edge_over_h0(ground, mesh.points[b], mesh.points[p]) > 1.0) return false;
+    if (normal_cosine(mesh, b, p, q) < least_cosine) return false;
+    if (!context.sizing.uniform() && edge_over_h0(context, mesh.points[b], mesh.points[p]) > 1.0) return false;
   }
   return true;
 }
 
-std::size_t flip_for_valence(const MeshGround& ground, EditableMesh& mesh) {
+std::size_t flip_for_valence(const FinishContext& context, EditableMesh& mesh) {
   constexpr int rounds = 4;
   constexpr double least_q = 0.5;
   std::size_t all = 0;
@@ -118,7 +118,7 @@ std::size_t flip_for_valence(const MeshGround& ground, EditableMesh& mesh) {
     std::size_t flips = 0;
     for (Index e = 0; e < mesh.half_edge_count(); ++e) {
       if (mesh.origin(e) == EditableMesh::none || mesh.twin(e) == EditableMesh::none || mesh.twin(e) < e) continue;
-      if (flip_gain(mesh, e) <= 0 || !mesh.can_flip(e) || !flip_keeps_shape(ground, mesh, e, least_q)) continue;
+      if (flip_gain(mesh, e) <= 0 || !mesh.can_flip(e) || !flip_keeps_shape(context, mesh, e, least_q)) continue;
       mesh.flip(e);
       ++flips;
     }
@@ -128,7 +128,7 @@ std::size_t flip_for_valence(const MeshGround& ground, EditableMesh& mesh) {
   return all;
 }
 
-std::size_t flip_for_shape(const MeshGround& ground, EditableMesh& mesh) {
+std::size_t flip_for_shape(const FinishContext& context, EditableMesh& mesh) {
   std::size_t flips = 0;
   for (Index e = 0; e < mesh.half_edge_count(); ++e) {
     if (mesh.origin(e) == EditableMesh::none || mesh.twin(e) == EditableMesh::none || mesh.twin(e) < e) continue;
@@ -140,14 +140,14 @@ std::size_t flip_for_shape(const MeshGround& ground, EditableMesh& mesh) {
     if (q > 0.8) continue;
     if (valence(mesh, a) <= 5 || valence(mesh, b) <= 5 || valence(mesh, c) >= 7 || valence(mesh, d) >= 7) continue;
     if (std::min(ratio(mesh, a, d, c), ratio(mesh, b, c, d)) <= q) continue;
-    if (!mesh.can_flip(e) || !flip_keeps_shape(ground, mesh, e, q)) continue;
+    if (!mesh.can_flip(e) || !flip_keeps_shape(context, mesh, e, q)) continue;
     mesh.flip(e);
     ++flips;
   }
   return flips;
 }
 
-std::size_t collapse_low_valence(const MeshGround& ground, EditableMesh& mesh) {
+std::size_t collapse_low_valence(const FinishContext& context, EditableMesh& mesh) {
   constexpr double least_q = 0.3;
   std::size_t collapsed = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -155,7 +155,7 @@ std::size_t collapse_low_valence(const MeshGround& ground, EditableMesh& mesh) {
     Index best = EditableMesh::none;
     int best_defect = 0;
     for (const Index e : out_edges(mesh, v)) {
-      if (!mesh.can_collapse(e) || !collapse_keeps_shape(ground, mesh, e, least_q)) continue;
+      if (!mesh.can_collapse(e) || !collapse_keeps_shape(context, mesh, e, least_q)) continue;
       const int b = valence(mesh, mesh.target(e));
       const int c = valence(mesh, mesh.apex(e));
       const int d = valence(mesh, mesh.apex(mesh.twin(e)));
@@ -172,7 +172,7 @@ std::size_t collapse_low_valence(const MeshGround& ground, EditableMesh& mesh) {
   return collapsed;
 }
 
-Index divide(const MeshGround& ground, EditableMesh& mesh, Index v) {
+Index divide_vertex(const FinishContext& context, EditableMesh& mesh, Index v) {
   const std::vector<Index> edges = out_edges(mesh, v);
   const std::size_t count = edges.size();
   if (count < 6) return EditableMesh::none;
@@ -197,8 +197,8 @@ Index divide(const MeshGround& ground, EditableMesh& mesh, Index v) {
     }
     return Vector3d(sum / (terms + 1));
   };
-  const auto one = on_surface(ground.surface, x + 0.5 * (middle(first, last) - x));
-  const auto other = on_surface(ground.surface, x + 0.5 * (middle(last, first) - x));
+  const auto one = on_surface(context.surface, x + 0.5 * (middle(first, last) - x));
+  const auto other = on_surface(context.surface, x + 0.5 * (middle(last, first) - x));
   if (!one || !other) return EditableMesh::none;
   EditableMesh::Index w = mesh.split_vertex(edges[first], edges[last], one->point, one->normal);
   const OnSurface before{mesh.points[v], mesh.normals[v]};
@@ -207,9 +207,9 @@ Index divide(const MeshGround& ground, EditableMesh& mesh, Index v) {
   const Fan fan_v = fan_of(mesh, v);
   const Fan fan_w = fan_of(mesh, w);
   if (std::min(fan_v.least_q, fan_w.least_q) > 0.15 &&
-      std::min(fan_v.least_upright, fan_w.least_upright) > least_cosine)
+      std::min(fan_v.least_normal_cosine, fan_w.least_normal_cosine) > least_cosine)
     return w;
-  // Undone by the collapse that is its opposite.
+  // Undoes the split by the opposite collapse.
   Index back = mesh.out(w);
   while (mesh.target(back) != v) back = mesh.turn(back);
   mesh.collapse(back);
@@ -218,19 +218,19 @@ Index divide(const MeshGround& ground, EditableMesh& mesh, Index v) {
   return EditableMesh::none;
 }
 
-std::size_t split_high_valence(const MeshGround& ground, EditableMesh& mesh) {
+std::size_t split_high_valence(const FinishContext& context, EditableMesh& mesh) {
   std::size_t split = 0;
   const auto count = static_cast<Index>(mesh.vertex_count());
   for (Index v = 0; v < count; ++v) {
     if (!mesh.movable(v) || mesh.valence(v) < 8) continue;
-    if (divide(ground, mesh, v) != EditableMesh::none) ++split;
+    if (divide_vertex(context, mesh, v) != EditableMesh::none) ++split;
   }
   return split;
 }
 
-Index split_in_the_middle(const MeshGround& ground, EditableMesh& mesh, Index e) {
+Index split_edge_at_middle(const FinishContext& context, EditableMesh& mesh, Index e) {
   const Vector3d middle = 0.5 * (mesh.points[mesh.origin(e)] + mesh.points[mesh.target(e)]);
-  const auto on = on_surface(ground.surface, middle);
+  const auto on = on_surface(context.surface, middle);
   if (!on || (on->point - middle).norm() > 0.3 * (mesh.points[mesh.origin(e)] - middle).norm())
     return EditableMesh::none;
   return mesh.split_edge(e, on->point, on->normal);

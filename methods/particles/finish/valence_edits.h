@@ -1,4 +1,4 @@
-// Changes of connectivity that bring valences towards six.
+// Changes of connectivity that bring valences closer to six.
 #pragma once
 
 #include <cstddef>
@@ -9,38 +9,43 @@
 
 namespace isobench::particles {
 
-/// What a mesh must be true to.
-struct MeshGround {
+/// The surface on which the vertices of a mesh are, and the sizing that bounds its edges.
+struct FinishContext {
   const Isosurface& surface;
   const SizingField& sizing;
 };
 
-/// Length of the edge over the mean of h0 at its ends.
-double edge_over_h0(const MeshGround& ground, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+/// The length of an edge divided by the mean of h0 at its ends.
+double edge_over_h0(const FinishContext& context, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Whether the two triangles after a flip are worth having: Q at least `least_q` (or better than the two before),
-/// turned by at most 60° from the normals at their corners (or less than the two before), the new edge not above h0.
-bool flip_keeps_shape(const MeshGround& ground, const EditableMesh& mesh, EditableMesh::Index e, double least_q);
-/// The same for the triangles that a collapse draws to the target.
-bool collapse_keeps_shape(const MeshGround& ground, const EditableMesh& mesh, EditableMesh::Index e, double least_q);
+/// Whether the two triangles after a flip are acceptable: their Q is at least `least_q`, or better than before; they
+/// are within 60° of the normals at their corners, or closer than before; and, with an adaptive sizing, the new edge is
+/// not above h0, or not longer than the old one relative to h0.
+bool flip_keeps_shape(const FinishContext& context, const EditableMesh& mesh, EditableMesh::Index e, double least_q);
+/// Whether the triangles after a collapse are acceptable: Q at least `least_q`, within 60° of the normals at their
+/// corners, and, with an adaptive sizing, no edge above h0.
+bool collapse_keeps_shape(const FinishContext& context, const EditableMesh& mesh, EditableMesh::Index e,
+                          double least_q);
 
-/// By how much Σ (valence − 6)² falls when an edge is flipped.
+/// The decrease of Σ (valence − 6)² when an edge is flipped.
 int flip_gain(const EditableMesh& mesh, EditableMesh::Index e);
 
-/// Each goes once through the mesh in the order of its half-edges or vertices and says how many changes it made.
-/// Flips where that lets Σ (valence − 6)² fall, until there is none or after a few rounds.
-std::size_t flip_for_valence(const MeshGround& ground, EditableMesh& mesh);
-/// Flips that raise the smaller Q of two triangles without leaving valences 5 to 7.
-std::size_t flip_for_shape(const MeshGround& ground, EditableMesh& mesh);
-/// Takes away vertices of valence 3 and 4.
-std::size_t collapse_low_valence(const MeshGround& ground, EditableMesh& mesh);
-/// Divides vertices of valence 8 and more.
-std::size_t split_high_valence(const MeshGround& ground, EditableMesh& mesh);
+// The next four functions visit half-edges or vertices in order and return the number of changes.
 
-/// Divides one vertex so that both parts get about as many neighbours, those of few rather than of many at the seam.
-/// Returns the new vertex, or none where shapes forbid it.
-EditableMesh::Index divide(const MeshGround& ground, EditableMesh& mesh, EditableMesh::Index v);
-/// A vertex amid an edge, on F = c; none where that fails.
-EditableMesh::Index split_in_the_middle(const MeshGround& ground, EditableMesh& mesh, EditableMesh::Index e);
+/// Flips edges where Σ (valence − 6)² falls, in up to four rounds.
+std::size_t flip_for_valence(const FinishContext& context, EditableMesh& mesh);
+/// Flips edges where the smaller Q of the two triangles rises and valences stay within 5 to 7.
+std::size_t flip_for_shape(const FinishContext& context, EditableMesh& mesh);
+/// Removes vertices of valence 3 and 4 by collapses.
+std::size_t collapse_low_valence(const FinishContext& context, EditableMesh& mesh);
+/// Splits vertices of valence 8 or more.
+std::size_t split_high_valence(const FinishContext& context, EditableMesh& mesh);
+
+/// Splits a vertex into two with about equally many neighbours. The two neighbours that gain an edge are those with low
+/// valences. Returns the new vertex, or `none` if the vertex has fewer than six neighbours or the shapes do not allow
+/// it.
+EditableMesh::Index divide_vertex(const FinishContext& context, EditableMesh& mesh, EditableMesh::Index v);
+/// Splits an edge by a vertex near its middle on F = c. Returns the new vertex, or `none` if there is no such point.
+EditableMesh::Index split_edge_at_middle(const FinishContext& context, EditableMesh& mesh, EditableMesh::Index e);
 
 }  // namespace isobench::particles

@@ -1,4 +1,3 @@
-// A bridge far thinner than the sizing's floor: two spheres whose fields nearly join.
 #include "isobench/methods/particles/sampling/critical_seeds.h"
 
 #include <gtest/gtest.h>
@@ -7,11 +6,12 @@
 #include <cmath>
 
 #include "isobench/methods/method.h"
-#include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench::particles {
 namespace {
 
+/// Two balls whose fields nearly join. `off` moves the isovalue away from the value at the saddle between them: below 0
+/// there is a bridge, above 0 a gap.
 Isosurface dumb_bell(double off) {
   constexpr int nodes = 40;
   const Eigen::Vector3d a(13.2, 19.4, 19.7);
@@ -19,7 +19,7 @@ Isosurface dumb_bell(double off) {
   const auto f = [&](const Eigen::Vector3d& x) {
     return std::exp(-(x - a).squaredNorm() / 30.0) + std::exp(-(x - b).squaredNorm() / 30.0);
   };
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {nodes, nodes, nodes};
   for (int k = 0; k < nodes; ++k) {
     for (int j = 0; j < nodes; ++j) {
@@ -33,8 +33,9 @@ long euler_of(const TriangleMesh& mesh) {
   return static_cast<long>(mesh.vertices.size()) - static_cast<long>(mesh.triangles.size()) / 2;
 }
 
-// A bridge, and a gap, of a few hundredths of a voxel: only their topology tells them apart, χ 2 and 4.
-TEST(FinePlaces, MakeParticlesMeshABridgeThinnerThanTheFloor) {
+// The bridge and the gap are a few hundredths of a voxel wide, far below the sizing's floor. χ is 2 with the bridge
+// and 4 with the gap.
+TEST(CriticalSeeds, MakeParticlesMeshABridgeThinnerThanTheFloor) {
   for (const double off : {-2e-5, 2e-5}) {
     const Isosurface surface = dumb_bell(off);
     const Method& particles = method("particles");
@@ -51,10 +52,10 @@ TEST(FinePlaces, MakeParticlesMeshABridgeThinnerThanTheFloor) {
   }
 }
 
-// Eight coefficients around a cell that no node of the lattice shows as inside, and yet the middle is.
-TEST(FinePlaces, ASpeckBetweenTheNodesIsMeshed) {
+// Eight spline coefficients around one cell put its middle inside the object although every node is outside.
+TEST(CriticalSeeds, ASpeckBetweenTheNodesIsMeshed) {
   constexpr int nodes = 24;
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {nodes, nodes, nodes};
   for (int k = 0; k < nodes; ++k) {
     for (int j = 0; j < nodes; ++j) {

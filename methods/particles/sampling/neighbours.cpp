@@ -23,7 +23,8 @@ std::uint64_t mix(std::uint64_t h) {
   return h ^ (h >> 29);
 }
 
-/// Particles sorted by grid and cell, with a hash table from a cell to its particles.
+/// Particles sorted by grid and cell, and a hash table from a cell to its particles. Level n is the grid whose cells
+/// are 2ⁿ times as wide as those of the finest.
 class Grids {
  public:
   struct Occupied {
@@ -50,7 +51,7 @@ class Grids {
   }
 
   int level_count() const { return level_count_; }
-  /// The occupied cells of finer grids that have room for neighbours of a cell's particles.
+  /// The occupied cells of finer grids in which particles of a cell can have neighbours.
   std::span<const std::uint32_t> finer_than(std::size_t cell) const {
     return {finer_.data() + finer_first_[cell], finer_first_[cell + 1] - finer_first_[cell]};
   }
@@ -92,7 +93,8 @@ class Grids {
     return cell;
   }
 
-  /// 7 bits of level, 19 of each index; a box may begin one cell before the first.
+  /// 7 bits for the level and 19 for each index. Indices start at −1, because a box may begin one cell before the
+  /// first.
   static std::uint64_t key(int level, const Cell& cell) {
     auto result = static_cast<std::uint64_t>(level);
     for (const std::int32_t index : cell) result = result << 19 | (static_cast<std::uint64_t>(index + 1) & 0x7FFFF);
@@ -120,8 +122,8 @@ class Grids {
     }
   }
 
-  /// A finer grid's particles reach no farther than its cells are wide, so each fine cell looks for the few coarse ones
-  /// about it: a coarse one's box would have too many fine cells to look for, nearly all of them empty.
+  /// A particle reaches no farther than the cells of its grid are wide. So each fine cell looks for the few coarse
+  /// cells near it; the other way round, a coarse cell would look up many fine cells, nearly all of them empty.
   void find_finer_cells() {
     struct Pair {
       std::uint32_t coarse;
@@ -174,24 +176,26 @@ class Grids {
   std::vector<std::uint32_t> finer_;
 };
 
-/// Particles that may be near one of a cell's, their coordinates side by side for the loop that tests them.
+/// Particles that may be neighbours of the particles in a cell. Coordinates are in separate arrays so that the distance
+/// loop vectorises.
 struct Candidates {
   std::vector<std::uint32_t> index;
-  std::vector<double> x, y, z, square;  // square of the reach
+  std::vector<double> x, y, z, squared_reach;
 
   void clear() {
     index.clear();
-    for (auto* values : {&x, &y, &z, &square}) values->clear();
+    for (auto* values : {&x, &y, &z, &squared_reach}) values->clear();
   }
   void add(std::uint32_t n, const Eigen::Vector3d& point, double reach) {
     index.push_back(n);
     x.push_back(point[0]);
     y.push_back(point[1]);
     z.push_back(point[2]);
-    square.push_back(reach * reach);
+    squared_reach.push_back(reach * reach);
   }
 };
 
+/// Collects the candidates for all particles of a cell.
 void gather(const Grids& grids, const Grids::Occupied& cell, const std::vector<Eigen::Vector3d>& points,
             const std::vector<double>& reach, Candidates& candidates) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
@@ -225,7 +229,8 @@ void append_neighbours(std::uint32_t i, const Eigen::Vector3d& point, double rea
     const double dy = candidates.y[n] - point[1];
     const double dz = candidates.z[n] - point[2];
     const double square = dx * dx + dy * dy + dz * dz;
-    if (square < own && square < candidates.square[n] && candidates.index[n] != i) items.push_back(candidates.index[n]);
+    if (square < own && square < candidates.squared_reach[n] && candidates.index[n] != i)
+      items.push_back(candidates.index[n]);
   }
 }
 

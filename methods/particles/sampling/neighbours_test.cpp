@@ -16,7 +16,7 @@ struct Cloud {
   std::vector<double> reach;
 };
 
-/// Points in a box with reaches over five octaves, the small ones clustered in a corner.
+/// Random points in a box. Reaches span five octaves; points with a small reach cluster in a corner.
 Cloud random_cloud(std::size_t count) {
   Cloud cloud;
   for (std::size_t n = 0; n < count; ++n) {
@@ -28,7 +28,7 @@ Cloud random_cloud(std::size_t count) {
   return cloud;
 }
 
-TEST(Neighbours, AreThoseOfABruteForceSearch) {
+TEST(Neighbours, AgreeWithABruteForceSearch) {
   const Cloud cloud = random_cloud(1500);
   const NeighbourLists lists = find_neighbours(cloud.points, cloud.reach);
   std::size_t pairs = 0;
@@ -43,7 +43,7 @@ TEST(Neighbours, AreThoseOfABruteForceSearch) {
     ASSERT_EQ(found, expected) << "of particle " << i;
     pairs += found.size();
   }
-  EXPECT_GT(pairs, 2000U) << "a test without pairs tests nothing";
+  EXPECT_GT(pairs, 2000U) << "too few pairs for a meaningful test";
 }
 
 TEST(Neighbours, ComeInTheSameOrderForAnyNumberOfThreads) {
@@ -58,7 +58,7 @@ TEST(Neighbours, ComeInTheSameOrderForAnyNumberOfThreads) {
   EXPECT_EQ(one.items, four.items);
 }
 
-TEST(Neighbours, OfNobodyAreNone) {
+TEST(Neighbours, OfNoParticlesOrOneAreNone) {
   EXPECT_TRUE(find_neighbours({}, {}).items.empty());
   EXPECT_TRUE(find_neighbours({Eigen::Vector3d(1, 2, 3)}, {1.0}).of(0).empty());
 }

@@ -1,4 +1,4 @@
-// Random numbers by index: the n-th number does not depend on who asks for it, hence not on threads.
+// Random numbers by index. The n-th number does not depend on who asks for it, so results do not depend on threads.
 #pragma once
 
 #include <cstdint>

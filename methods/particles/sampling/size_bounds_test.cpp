@@ -17,51 +17,51 @@ using Eigen::Vector3d;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double delta = 0.3;
 
-class SmallPlacesTest : public ::testing::Test {
+class SizeBoundsTest : public ::testing::Test {
  protected:
   const Isosurface surface{sample_phantom(phantom("sphere"), 40), 0.0};
   const double voxel = surface.voxel();
   const Vector3d middle = 0.5 * surface.extent();
-  SizeBounds places{surface, delta};
+  SizeBounds bounds{surface, delta};
 };
 
-TEST_F(SmallPlacesTest, NoneBoundsNothing) {
-  EXPECT_EQ(places.size(), 0U);
-  EXPECT_EQ(places.bound(middle), infinite);
-  EXPECT_EQ(places.units_from(middle, 0), infinite);
+TEST_F(SizeBoundsTest, NoneBoundsNothing) {
+  EXPECT_EQ(bounds.size(), 0U);
+  EXPECT_EQ(bounds.bound(middle), infinite);
+  EXPECT_EQ(bounds.scaled_distance(middle, 0), infinite);
 }
 
-TEST_F(SmallPlacesTest, BoundRisesFromACriticalPointAndEndsFourVoxelsAway) {
+TEST_F(SizeBoundsTest, BoundRisesFromACriticalPointAndEndsFourVoxelsAway) {
   CriticalPoint point;
   point.position = middle;
   point.distance = 0.1 * voxel;
-  places.add(critical_bounds({point}, 0.5, 0.02 * voxel, voxel));
-  EXPECT_DOUBLE_EQ(places.at(0).edge, 0.1 * voxel);
-  EXPECT_DOUBLE_EQ(places.bound(middle), 0.1 * voxel);
-  EXPECT_NEAR(places.bound(middle + Vector3d(0.0, voxel, 0.0)), (0.1 + delta) * voxel, 1e-12);
-  EXPECT_GT(places.bound(middle + Vector3d(3.9 * voxel, 0.0, 0.0)), (0.1 + delta * 3.9 + 0.5) * voxel);
-  EXPECT_EQ(places.bound(middle - Vector3d(0.0, 0.0, 4.1 * voxel)), infinite);
-  EXPECT_EQ(places.bound(Vector3d::Zero()), infinite);
+  bounds.add(critical_bounds({point}, 0.5, 0.02 * voxel, voxel));
+  EXPECT_DOUBLE_EQ(bounds.at(0).h, 0.1 * voxel);
+  EXPECT_DOUBLE_EQ(bounds.bound(middle), 0.1 * voxel);
+  EXPECT_NEAR(bounds.bound(middle + Vector3d(0.0, voxel, 0.0)), (0.1 + delta) * voxel, 1e-12);
+  EXPECT_GT(bounds.bound(middle + Vector3d(3.9 * voxel, 0.0, 0.0)), (0.1 + delta * 3.9 + 0.5) * voxel);
+  EXPECT_EQ(bounds.bound(middle - Vector3d(0.0, 0.0, 4.1 * voxel)), infinite);
+  EXPECT_EQ(bounds.bound(Vector3d::Zero()), infinite);
 }
 
-TEST_F(SmallPlacesTest, AnEdgeIsNotBelowTheLeast) {
+TEST_F(SizeBoundsTest, AnEdgeIsNotBelowTheLeast) {
   CriticalPoint point;
   point.position = middle;
   point.distance = 0.001 * voxel;
-  EXPECT_DOUBLE_EQ(critical_bounds({point}, 0.5, 0.02 * voxel, voxel).front().edge, 0.02 * voxel);
+  EXPECT_DOUBLE_EQ(critical_bounds({point}, 0.5, 0.02 * voxel, voxel).front().h, 0.02 * voxel);
 }
 
-TEST_F(SmallPlacesTest, AroundAFlatPlaceTheBoundStaysAndThenRises) {
-  const SizeBound place{middle, 0.7, 1.2, 1.0};
-  places.add({place});
-  for (const double away : {0.0, 0.6, 1.19}) EXPECT_DOUBLE_EQ(places.bound(middle + Vector3d(away, 0, 0)), 0.7);
-  EXPECT_NEAR(places.bound(middle + Vector3d(2.2, 0.0, 0.0)), 0.7 + delta, 1e-12);
-  EXPECT_NEAR(places.bound(middle + Vector3d(4.2, 0.0, 0.0)), 0.7 + 3.0 * delta + 0.125 * 4.0, 1e-12);
-  EXPECT_EQ(places.bound(middle + Vector3d(5.3, 0.0, 0.0)), infinite);
+TEST_F(SizeBoundsTest, AroundAFlatPlaceTheBoundStaysAndThenRises) {
+  const SizeBound bound{middle, 0.7, 1.2, 1.0};
+  bounds.add({bound});
+  for (const double away : {0.0, 0.6, 1.19}) EXPECT_DOUBLE_EQ(bounds.bound(middle + Vector3d(away, 0, 0)), 0.7);
+  EXPECT_NEAR(bounds.bound(middle + Vector3d(2.2, 0.0, 0.0)), 0.7 + delta, 1e-12);
+  EXPECT_NEAR(bounds.bound(middle + Vector3d(4.2, 0.0, 0.0)), 0.7 + 3.0 * delta + 0.125 * 4.0, 1e-12);
+  EXPECT_EQ(bounds.bound(middle + Vector3d(5.3, 0.0, 0.0)), infinite);
 }
 
-// Places of very different reach are kept apart, and the smallest bound of all holds, wherever the places stand.
-TEST_F(SmallPlacesTest, TheSmallestBoundHolds) {
+// Places of very different reach are kept apart, and the smallest bound of all holds, wherever the bounds stand.
+TEST_F(SizeBoundsTest, TheSmallestBoundHolds) {
   std::vector<SizeBound> all;
   for (int n = 0; n < 60; ++n) {
     const Vector3d at = surface.extent().cwiseProduct(
@@ -69,9 +69,9 @@ TEST_F(SmallPlacesTest, TheSmallestBoundHolds) {
     const double unit = voxel * std::exp2(n % 5 - 2);
     all.push_back({at, 0.7 * unit, n % 2 == 0 ? 0.0 : unit, unit});
   }
-  places.add({all.begin(), all.begin() + 20});
-  places.add({all.begin() + 20, all.end()});
-  ASSERT_EQ(places.size(), all.size());
+  bounds.add({all.begin(), all.begin() + 20});
+  bounds.add({all.begin() + 20, all.end()});
+  ASSERT_EQ(bounds.size(), all.size());
   for (int n = 0; n < 500; ++n) {
     const Vector3d x = surface.extent().cwiseProduct(
         Vector3d(std::abs(std::sin(1.1 * n)), std::abs(std::sin(2.7 * n)), std::abs(std::sin(3.1 * n + 1))));
@@ -81,10 +81,10 @@ TEST_F(SmallPlacesTest, TheSmallestBoundHolds) {
       SizeBounds alone(surface, delta);
       alone.add({all[i]});
       bound = std::min(bound, alone.bound(x));
-      if (i >= 20 && alone.bound(x) < infinite) units = std::min(units, (x - all[i].position).norm() / all[i].unit);
+      if (i >= 20 && alone.bound(x) < infinite) units = std::min(units, (x - all[i].position).norm() / all[i].scale);
     }
-    EXPECT_EQ(places.bound(x), bound);
-    EXPECT_EQ(places.units_from(x, 20), units);
+    EXPECT_EQ(bounds.bound(x), bound);
+    EXPECT_EQ(bounds.scaled_distance(x, 20), units);
   }
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// That of which a node is the lowest corner.
+/// The cell whose lowest corner is a given node.
 struct Cell {
   Cell(const Lattice& lattice, const std::array<int, 3>& node)
       : low(lattice.spacing.cwiseProduct(Vector3d(node[0], node[1], node[2]))),
@@ -26,10 +26,10 @@ struct Cell {
 
   Vector3d low;
   Vector3d high;
-  double size;  // its shortest side
+  double size;  // shortest side
 
   Vector3d middle() const { return 0.5 * (low + high); }
-  /// Low faces belong to the cell, high ones to the next.
+  /// The low faces belong to the cell, the high faces to the next cells.
   bool contains(const Vector3d& x) const {
     return (x.array() >= low.array()).all() && (x.array() < high.array()).all();
   }
@@ -39,7 +39,7 @@ struct Cell {
   }
 };
 
-/// Where Newton's method takes x, towards ∇f = 0.
+/// A step of Newton's method for ∇f = 0.
 std::optional<Vector3d> newton_step(const Jet& jet) {
   Eigen::Matrix3d inverse;
   bool invertible = false;
@@ -79,8 +79,9 @@ CriticalPoint described(const Isosurface& surface, const Vector3d& x) {
   return point;
 }
 
-/// Whether ∇f can be 0 in the cell of a node: its components are weighted means, with weights above 0, of differences
-/// between neighbouring coefficients, and none is 0 where these have one sign.
+/// Whether ∇f can be 0 in the cell whose lowest corner is the node. The components of ∇f are weighted means, with
+/// positive weights, of differences between neighbouring coefficients. If these differences have one sign along an
+/// axis, ∇f is not 0.
 bool gradient_may_vanish(const Isosurface& surface, const std::array<int, 3>& node) {
   std::array<float, 64> taps{};
   auto* out = taps.data();
@@ -107,7 +108,7 @@ std::vector<CriticalPoint> points_in(const Isosurface& surface, const std::array
   const Cell cell(surface.lattice(), node);
   std::vector<CriticalPoint> found;
   const Vector3d middle = cell.middle();
-  // F is cubic in each coordinate: where Newton's first step leads far out of the cell, no root is in it.
+  // F is cubic in each coordinate. If Newton's first step leads far out of the cell, there is no root in it.
   const auto first = newton_step(surface.jet(middle));
   if (first && !(first->cwiseAbs().array() < 1.5 * (cell.high - cell.low).array()).all()) return found;
   if (!gradient_may_vanish(surface, node)) return found;
@@ -160,7 +161,7 @@ InCells extrema_of_hidden_cells(const Isosurface& surface) {
   return found;
 }
 
-/// Adds each that is not there yet: one on the face between two cells may be found from both.
+/// Adds the points that are not in `all` yet. A point on the face between two cells may be found from both.
 void add(const InCells& found, double voxel, std::vector<CriticalPoint>& all) {
   const double same = 1e-4 * voxel;
   for (const auto& in_cell : found) {

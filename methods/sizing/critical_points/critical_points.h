@@ -1,6 +1,6 @@
-// Where ∇F = 0 close to F = c: there, and only there, a small change of c makes or breaks a handle, a bridge or a
-// component (Morse theory), and features are as small as the distance to the surface tells. A lattice of nodes one
-// voxel apart cannot show sizes that fall below a voxel within a voxel; these points can.
+// Critical points of F, where ∇F = 0, close to F = c. Only at them does a small change of c create or remove a handle,
+// a bridge or a component (Morse theory). The features there are about as small as the point's distance to the surface,
+// which may be far less than the lattice of nodes can resolve.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,17 +14,19 @@ namespace isobench {
 struct CriticalPoint {
   Eigen::Vector3d position;  ///< lattice frame, mm
   double value = 0.0;        ///< f there, > 0 inside
-  /// mm to the surface, as f's quadratic part has it: √(2|f|/|μ|), μ the eigenvalue of the Hessian that bends f most
-  /// towards 0.
+  /// Distance to the surface, mm, from the quadratic part of f: √(2|f|/|μ|), where μ is the eigenvalue of the Hessian
+  /// with the largest curvature towards f = 0.
   double distance = 0.0;
-  int falling = 0;  ///< negative eigenvalues: 0 a minimum of f, 1 and 2 saddles, 3 a maximum
+  int falling = 0;  ///< number of negative eigenvalues: 0 a minimum of f, 1 and 2 saddles, 3 a maximum
 };
 
-/// Those whose distance is below `reach` (mm), in the cells whose lowest corner is in the band, in the band's order;
-/// and after them, at any distance and wherever they are, the peaks above and the pits below F = c of hidden cells
-/// (hidden_cells.h): a speck or cavity that no node shows has one, as has the tip of what reaches into such a cell.
-/// Newton's method from the middle of each cell, and from those of its eighths where the first step stays near.
-/// Multi-threaded; the result does not depend on the number of threads. Cost: about 1 µs of one core a band node.
+/// First, in the band's order, the critical points with a distance below `reach` (mm) in the cells whose lowest corner
+/// is in the band. Then, at any distance, the maxima inside and the minima outside the object in hidden cells
+/// (hidden_cells.h): each speck or cavity that no node shows has one.
+///
+/// Uses Newton's method from the middle of each cell; where its first step stays near the cell, also from the middles
+/// of the cell's eighths. The result does not depend on the number of threads. Cost: about 1 µs of one core a band
+/// node.
 std::vector<CriticalPoint> critical_points(const Isosurface& surface, const Band& band, double reach);
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-// Against functions whose critical points are known: cosines, and two spheres that nearly touch.
+// Functions with known critical points: a sum of cosines, and two spheres that nearly touch.
 #include "isobench/methods/sizing/critical_points/critical_points.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace isobench {
 namespace {
 
 Isosurface sampled(int nodes, double spacing, double isovalue, const std::function<double(const Eigen::Vector3d&)>& f) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {nodes, nodes, nodes};
   volume.lattice.spacing = Eigen::Vector3d::Constant(spacing);
   for (int k = 0; k < nodes; ++k) {
@@ -24,23 +24,24 @@ Isosurface sampled(int nodes, double spacing, double isovalue, const std::functi
   return {std::move(volume), isovalue, Inside::above, Kernel::interpolating_bspline};
 }
 
-// cos x + cos y + cos z with a period of 16 nodes: critical where every cosine is 1 or −1.
+// cos x + cos y + cos z with a period of 16 nodes. A point is critical if every cosine is 1 or −1.
 TEST(CriticalPoints, OfCosinesAreFoundWithTheirKinds) {
   constexpr double wave = 2.0 * std::numbers::pi / 16.0;
   const auto f = [](const Eigen::Vector3d& x) {
     return std::cos(wave * x[0]) + std::cos(wave * x[1]) + std::cos(wave * x[2]);
   };
-  // At a sum of −1 and 1 are the saddles, at −3 and 3 the extrema: near c = 0.9 only those with two falling directions
-  // are in reach.
+  // Saddles have a sum of −1 or 1, extrema one of −3 or 3. Near c = 0.9, only the saddles with a sum of 1, which have
+  // two falling directions, are in reach.
   const Isosurface surface = sampled(33, 1.0, 0.9, f);
   const Band band(surface, 2);
-  const double distance = std::sqrt(2.0 * 0.1 / (wave * wave));  // to the surface from where the sum is 1
+  const double distance = std::sqrt(2.0 * 0.1 / (wave * wave));  // from a point where the sum is 1 to the surface
   const auto found = critical_points(surface, band, 1.5 * distance);
-  // Within the border, on lattice lines at multiples of half a period: one cosine is −1, two are 1.
+  // The points away from the border: each coordinate is a multiple of half a period, one cosine is −1 and two are 1.
   std::size_t inner = 0;
   for (const CriticalPoint& point : found) {
     const Eigen::Vector3d& x = point.position;
-    if ((x.array() < 2.0).any() || (x.array() > 30.0).any()) continue;  // what closes the volume bends the spline
+    if ((x.array() < 2.0).any() || (x.array() > 30.0).any())
+      continue;  // the closing of the volume changes the spline here
     ++inner;
     const Eigen::Vector3d rounded = 8.0 * (x / 8.0).array().round().matrix();
     EXPECT_LT((x - rounded).norm(), 0.01) << x.transpose();
@@ -49,7 +50,8 @@ TEST(CriticalPoints, OfCosinesAreFoundWithTheirKinds) {
     EXPECT_EQ(point.falling, 2);
     EXPECT_NEAR(point.distance, distance, 0.01 * distance);
   }
-  // Of the 27 inner multiples (8, 16 and 24 along each axis; a cosine is −1 at 8 and 24, 1 at 16) those with one −1.
+  // Of the 27 inner combinations of 8, 16 and 24 (the cosine is −1 at 8 and 24, and 1 at 16), those with exactly one
+  // −1.
   EXPECT_EQ(inner, 6U);
 }
 

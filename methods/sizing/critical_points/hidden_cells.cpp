@@ -13,7 +13,7 @@ namespace {
 using Four = std::array<float, 4>;
 using Taps = std::array<float, 64>;  // x fastest
 
-/// From the spline's coefficients around an interval to the Bernstein coefficients of its cubic there.
+/// The Bernstein coefficients of the cubic on an interval, from the four spline coefficients around it.
 Four bernstein(Kernel kernel, float a, float b, float c, float d) {
   if (kernel == Kernel::catmull_rom) return {b, b + (c - a) / 6.0F, c - (d - b) / 6.0F, c};
   return {(a + 4.0F * b + c) / 6.0F, (2.0F * b + c) / 3.0F, (b + 2.0F * c) / 3.0F, (b + 4.0F * c + d) / 6.0F};
@@ -30,11 +30,10 @@ void to_bernstein(Kernel kernel, Taps& taps) {
   }
 }
 
-/// What one thread holds of four layers of coefficients; rows begin at −1 and end two beyond the last node, and so do
-/// columns.
+/// Four layers of coefficients, for one thread. Rows and columns begin at node −1 and end two beyond the last node.
 struct Workspace {
   std::array<std::vector<float>, 4> layers;
-  std::vector<float> least, most;          // over the four layers
+  std::vector<float> least, most;          // minimum and maximum over the four layers
   std::vector<float> row_least, row_most;  // and over four rows
 };
 
@@ -45,7 +44,8 @@ class Search {
         size_(surface.lattice().size),
         width_(static_cast<std::size_t>(size_[0]) + 3),
         height_(static_cast<std::size_t>(size_[1]) + 3),
-        // Where the taps lie within [m, M], a B-spline does; Catmull-Rom's negative weights add up to (1.25³ − 1)/2.
+        // If the coefficients are within [m, M], so is a B-spline. The negative weights of Catmull-Rom sum to (1.25³ −
+        // 1)/2.
         beyond_(surface.kernel() == Kernel::catmull_rom ? 0.4766F : 0.0F) {}
 
   std::vector<std::array<int, 3>> in_layer(int k, Workspace& work) const {

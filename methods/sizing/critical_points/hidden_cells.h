@@ -1,5 +1,5 @@
-// Cells into which the surface reaches though their corners do not tell: all eight on one side. What lies wholly within
-// such cells, specks and cavities of less than a voxel or so, is on no lattice of nodes.
+// Hidden cells: the surface passes through them, but all eight corners are on one side of it. No lattice mesh shows the
+// specks and cavities within such cells, which are about a voxel or less in size.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace isobench {
 
-/// The lowest corners of the cells in which f may change sign without a corner of another sign; x fastest. None is
-/// left out: within a cell f is a tricubic polynomial, and where its 64 Bernstein coefficients have one sign, it has.
-/// Multi-threaded, the same for any number of threads. One pass over the lattice, about 10 ns of one core a node and
-/// 0.3 µs a cell next to the surface; memory is four slabs a thread.
+/// The lowest corners of all cells in which f may change sign although the corners have one sign, with x fastest. No
+/// hidden cell is missed: within a cell, f is a tricubic polynomial, and it has one sign if its 64 Bernstein
+/// coefficients have. The result does not depend on the number of threads. Cost: one pass over the lattice, about 10 ns
+/// of one core a node and 0.3 µs a cell next to the surface; memory for four slabs a thread.
 std::vector<std::array<int, 3>> hidden_cells(const Isosurface& surface);
 
 }  // namespace isobench

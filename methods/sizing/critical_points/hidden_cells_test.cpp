@@ -1,4 +1,4 @@
-// Bumps between the nodes, of a known size and place.
+// Bumps of known size between the nodes.
 #include "isobench/methods/sizing/critical_points/hidden_cells.h"
 
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@ namespace {
 
 constexpr int lattice_nodes = 20;
 
-/// A ball to have a surface at all, and coefficients of a bump that peaks in the middle of the cell (14, 14, 14): all
-/// of its eight corners get the same, so that the peak is higher than the values there.
+/// A ball, so that there is a surface, and a bump with its peak in the middle of cell (14, 14, 14). All eight corners
+/// of the cell have the same coefficient, so the peak is higher than the values at the corners.
 Isosurface with_bump(float coefficient, Kernel kernel = Kernel::bspline) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {lattice_nodes, lattice_nodes, lattice_nodes};
   for (int k = 0; k < lattice_nodes; ++k) {
     for (int j = 0; j < lattice_nodes; ++j) {
@@ -31,7 +31,7 @@ Isosurface with_bump(float coefficient, Kernel kernel = Kernel::bspline) {
   return {std::move(volume), 0.0, Inside::above, kernel};
 }
 
-/// Cells with corners of one sign in which any of 7³ points has the other.
+/// The cells whose corners have one sign, but in which one of 7³ sample points has the other sign.
 std::vector<std::array<int, 3>> seen_by_sampling(const Isosurface& surface) {
   constexpr int samples = 6;
   std::vector<std::array<int, 3>> found;
@@ -57,8 +57,8 @@ std::vector<std::array<int, 3>> seen_by_sampling(const Isosurface& surface) {
 }
 
 TEST(HiddenCells, AreNoneWhereTheSurfaceIsFlatterThanTheLattice) {
-  // A plane along the lattice cuts every cell that it meets between its corners.
-  Volume volume;
+  // A plane along the lattice crosses each cell between its corners, so no cell is hidden.
+  FloatVolume volume;
   volume.lattice.size = {lattice_nodes, lattice_nodes, lattice_nodes};
   for (int n = 0; n < lattice_nodes * lattice_nodes * lattice_nodes; ++n)
     volume.samples.push_back(static_cast<float>(n % lattice_nodes) - 9.3F);
@@ -82,7 +82,8 @@ TEST(HiddenCells, AreAllThatSamplingFinds) {
 }
 
 TEST(HiddenCells, HaveThePeakOfASpeckThatNoNodeShows) {
-  // At the nodes (1/6 + 4/6)³ of the bump above −1, in the middle (23/24)³: between is the speck.
+  // Above −1, the bump has the height (1/6 + 4/6)³ at the nodes and (23/24)³ in the middle, each times its coefficient.
+  // The speck is between these two.
   const double step = 1.45;
   ASSERT_LT(step * std::pow(5.0 / 6.0, 3) - 1.0, 0.0);
   const Isosurface surface = with_bump(static_cast<float>(step - 1.0));

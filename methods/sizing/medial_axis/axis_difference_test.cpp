@@ -18,7 +18,8 @@ SurfaceSamples samples_at(const std::vector<Eigen::Vector3d>& points) {
   return samples;
 }
 
-// Three samples far from each other: balls of radius 1, 5 and 5 below them; the second ball has no foot point near.
+// Three samples far from each other, with balls of radius 1, 5 and 5 below them. The second ball has no foot point near
+// it.
 TEST(AxisDifference, TellsThinPartsFromWhereTheAxisWasNotFound) {
   const SurfaceSamples samples = samples_at({{0, 0, 0}, {100, 0, 0}, {200, 0, 0}});
   const MedialBalls balls{{{0, 0, -1}, {100, 0, -5}, {200, 0, -5}}, {1, 5, 5}};
@@ -35,7 +36,7 @@ TEST(AxisDifference, TellsThinPartsFromWhereTheAxisWasNotFound) {
   EXPECT_EQ(found.share_of_differing[2], 0.0);
 }
 
-// The radius of curvature stands in for the larger of the two.
+// Where the radius of curvature is smaller than both distances, the two sizes are equal.
 TEST(AxisDifference, IsOfTheSmallerBound) {
   SurfaceSamples samples = samples_at({{0, 0, 0}});
   samples.curvature[0].k1 = -0.25;

@@ -14,7 +14,7 @@ namespace {
 /// The radius of the osculating ball of sample n on the side of `direction`, if the ball is empty; else 0.
 double empty_radius(const SurfaceSamples& samples, const PointTree& tree, std::size_t n,
                     const Eigen::Vector3d& direction, double bend, double cap) {
-  constexpr double tolerance = 1e-6;  // as of shrinking balls
+  constexpr double tolerance = 1e-6;  // the same as for shrinking balls
   if (!(bend > 1.0 / cap)) return 0.0;
   const double radius = 1.0 / bend;
   const Eigen::Vector3d centre = samples.points[n] + radius * direction;

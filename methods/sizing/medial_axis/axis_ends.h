@@ -1,5 +1,5 @@
-// Where sheets of the medial axis end: at centres of curvature of the surface's ridges and valleys (Meyer, Kirby,
-// Whitaker 2007, section 2, count them as the axis's closure; section 3.1 leaves them out of what is looked for).
+// The ends of the medial axis: centres of curvature of the surface's ridges and valleys. Section 2 of Meyer, Kirby,
+// Whitaker 2007 counts them as part of the axis, but the algorithm of section 3.1 does not find them.
 #pragma once
 
 #include "isobench/foundation/monitor.h"
@@ -7,13 +7,15 @@
 
 namespace isobench {
 
-/// The centres of those osculating balls that hold no other sample, on the side towards which the surface bends most
-/// there; radii up to `cap` (mm). Towards such an end the angle between two foot points closes, so that a threshold on
-/// it stops short of the end, by as much as the ridge is round: along wide bones by many voxels.
+/// The centres of the osculating balls that contain no other sample, with radii up to `cap` (mm). The radius is that of
+/// the largest principal curvature on the ball's side of the surface.
 ///
-/// Curvature comes from F, emptiness from the samples: a ball counts as empty if it is so but for 1e-6 of its radius.
-/// Multi-threaded; points come in the order of the samples, whatever the number of threads. Cost: up to two
-/// nearest-neighbour queries a sample.
+/// Foot points are found by a threshold on an angle. Towards an end this angle closes, so foot points stop short of the
+/// end by about the radius of the ridge: many voxels along wide bones.
+///
+/// Curvatures come from F. A ball is empty if it contains no sample deeper than 1e-6 of its radius. Multi-threaded; the
+/// points are in the order of the samples for any number of threads. Cost: up to two nearest-neighbour queries a
+/// sample.
 MedialBalls axis_ends(const SurfaceSamples& samples, double cap, Monitor& monitor);
 
 }  // namespace isobench

@@ -13,7 +13,7 @@
 namespace isobench {
 namespace {
 
-/// A phantom's samples and the ends of its axis.
+/// The samples of a phantom and the ends of its axis.
 struct Ends {
   Isosurface surface;
   SurfaceSamples samples;
@@ -32,13 +32,13 @@ TEST(AxisEnds, OfASphereAreItsCentre) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : ends.samples.points) middle += x / static_cast<double>(ends.samples.points.size());
   for (const Eigen::Vector3d& centre : ends.found.centres) {
-    // The spline through samples of a distance bends by half a percent more or less than the sphere of 20 mm.
+    // The curvature of the spline differs by half a percent from that of the sphere of 20 mm.
     ASSERT_LT((centre - middle).norm(), 0.01 * 20.0);
   }
 }
 
-// Of semi-axes a > b > c the axis is an ellipse in z = 0 with semi-axes (a² − c²)/a and (b² − c²)/b; its rim is where
-// it ends, and nothing within it is an end.
+// For semi-axes a > b > c, the axis is an elliptic disc in z = 0 with semi-axes (a² − c²)/a and (b² − c²)/b. Its rim is
+// where it ends; no point within the disc is an end.
 TEST(AxisEnds, OfAnEllipsoidAreTheRimOfItsAxis) {
   const Ends ends("ellipsoid");
   const double a = (24.0 * 24.0 - 12.0 * 12.0) / 24.0;
@@ -58,12 +58,13 @@ TEST(AxisEnds, OfAnEllipsoidAreTheRimOfItsAxis) {
   for (const Eigen::Vector3d& x : rim) gap = std::max(gap, distance(x, found));
   RecordProperty("off", std::to_string(off / ends.surface.voxel()));
   RecordProperty("gap", std::to_string(gap / ends.surface.voxel()));
-  // Samples are most of a voxel apart: a ball next to the ridge may hold none though it crosses the surface.
+  // Samples are almost a voxel apart, so a ball next to the ridge may contain no sample although it crosses the
+  // surface.
   EXPECT_LE(off, 0.5 * ends.surface.voxel());
   EXPECT_LE(gap, 1.5 * ends.surface.voxel());
 }
 
-// The axis between two spheres goes on to infinity; only their own, a point each, end.
+// The axis between the two spheres extends to infinity and has no end. The axis of each sphere is a point.
 TEST(AxisEnds, AreNoneBetweenTwoSpheres) {
   const Ends ends("two-spheres");
   ASSERT_FALSE(ends.found.radii.empty());

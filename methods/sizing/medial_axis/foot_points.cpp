@@ -15,10 +15,10 @@ namespace isobench {
 
 namespace {
 
-constexpr double least_cosine = 0.9;     // of the angle between two characteristics on one side of the axis
-constexpr double shell = 0.1;            // voxels: nearer to the surface the direction to the foot means little
-constexpr double foot_tolerance = 1e-3;  // voxels: tangential part of q − p
-constexpr double refined_within = 2.0;   // cells: nearer to the surface than so many of its own sizes a cell is cut
+constexpr double least_cosine = 0.9;     // cosine of the largest angle between pq and p*q* on one side of the axis
+constexpr double shell = 0.1;            // voxels; nearer to the surface, the direction to the foot is inaccurate
+constexpr double foot_tolerance = 1e-3;  // voxels; largest tangential part of q − p
+constexpr double refined_within = 2.0;   // a cell is halved if it is within this many cell sizes of the surface
 
 class AxisSearch {
  public:
@@ -30,8 +30,9 @@ class AxisSearch {
     double radius;
   };
 
-  /// All that is found from the lower corner of a cell, and from those of the cells that it is cut into. `cell` is its
-  /// size; `cuts` how often it may be halved. `guess` is a sample near q, for the search to begin with.
+  /// Adds the points found from the lower corner q of a cell, and from the lower corners of the cells into which it is
+  /// divided. `cell` is the size of the cell and `cuts` the number of halvings left. `guess` is a sample near q, where
+  /// the search starts.
   void search(const Eigen::Vector3d& q, const Eigen::Vector3d& cell, int cuts, std::size_t& guess,
               std::vector<Found>& found) const {
     const double distance = to_samples(q, guess);
@@ -45,14 +46,15 @@ class AxisSearch {
   }
 
  private:
-  /// `guess` becomes the sample nearest to q.
+  /// Returns the distance from q to the nearest sample, which becomes `guess`.
   double to_samples(const Eigen::Vector3d& q, std::size_t& guess) const {
     const auto [nearest, distance] = tree_.nearest(q, guess);
     guess = nearest;
     return distance;
   }
 
-  /// Between q, to which sample `nearest` is the nearest, and where the ray from its foot leaves the cell.
+  /// The axis point between q and the point where the ray from the foot of q leaves the cell. `nearest` is the sample
+  /// nearest to q.
   std::optional<Found> at(const Eigen::Vector3d& q, const Eigen::Vector3d& cell, std::size_t nearest) const {
     const Eigen::Vector3d& near_q = samples_.points[nearest];
     std::optional<Eigen::Vector3d> q_far = leave_cell(q, q - near_q, cell);
@@ -69,7 +71,8 @@ class AxisSearch {
     near_far = &samples_.points[tree_.nearest(*q_far, nearest).first];
     const Eigen::Vector3d p_far = foot(*q_far, *near_far);
     const Eigen::Vector3d apart = *q_far - p_far;
-    // The foot that the search began with may be nearer than the one that its sample led to: no crossing.
+    // The foot p may be nearer to q* than p_far is, because the search started from another sample. Then there is no
+    // crossing.
     if (apart.norm() >= (*q_far - p).norm() || apart.norm() < shell * voxel_) return std::nullopt;
     const Eigen::Vector3d n = apart.normalized();
     if (u.dot(n) >= least_cosine) return std::nullopt;
@@ -78,7 +81,7 @@ class AxisSearch {
     return Found{p + radius * u, radius};
   }
 
-  /// Where the ray from a node leaves the first cell that it runs through; not outside the volume.
+  /// The point where the ray from a node leaves the first cell on its way; nothing if that is outside the volume.
   std::optional<Eigen::Vector3d> leave_cell(const Eigen::Vector3d& node, const Eigen::Vector3d& direction,
                                             const Eigen::Vector3d& cell) const {
     double length = std::numeric_limits<double>::infinity();
@@ -86,7 +89,7 @@ class AxisSearch {
       if (direction[axis] != 0.0) length = std::min(length, cell[axis] / std::abs(direction[axis]));
     }
     if (!std::isfinite(length)) return std::nullopt;
-    const Eigen::Vector3d far = node + length * direction;
+    Eigen::Vector3d far = node + length * direction;
     const double rounding = 1e-9 * voxel_;
     if ((far.array() < -rounding).any() || (far.array() > surface_.extent().array() + rounding).any()) {
       return std::nullopt;
@@ -94,7 +97,8 @@ class AxisSearch {
     return far;
   }
 
-  /// A sample is within about a voxel of the foot it stands for, so far from the surface samples tell most nodes apart.
+  /// A foot is within about a voxel of its nearest sample. So far from the surface, the samples alone show for most
+  /// nodes that both feet are on one sheet.
   bool surely_one_sheet(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     const double shorter = std::min(a.norm(), b.norm());
     const double doubt = 2.0 * surface_.lattice().spacing.maxCoeff();
@@ -103,8 +107,8 @@ class AxisSearch {
     return angle + std::asin(doubt / shorter) < std::acos(least_cosine);
   }
 
-  /// The surface point nearest to q, from a sample near it: tangential steps, each projected, damped where they lead
-  /// away from q.
+  /// The surface point nearest to q, starting from a sample near it. Takes tangential steps, each projected to the
+  /// surface, and halves the step if it leads away from q.
   Eigen::Vector3d foot(const Eigen::Vector3d& q, const Eigen::Vector3d& start) const {
     constexpr int max_steps = 10;
     Eigen::Vector3d p = start;

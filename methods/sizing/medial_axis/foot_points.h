@@ -1,5 +1,6 @@
-// The medial axis by foot points (Meyer, Kirby, Whitaker 2007, section 3.1): where the nearest surface point of two
-// points on one line through a lattice cell changes, the line crosses the axis in between.
+// The medial axis from foot points (Meyer, Kirby, Whitaker 2007, section 3.1). The foot of a point is the surface point
+// nearest to it. If two points on a line have feet on different parts of the surface, the line crosses the axis between
+// them.
 #pragma once
 
 #include "isobench/datasets/isosurface.h"
@@ -9,20 +10,20 @@
 namespace isobench {
 
 /// Points of the medial axis on both sides of the surface, and their distances from it. For every lattice node q that
-/// is not on the surface: p is the surface point nearest to q, q* where the ray from p through q leaves the cell that
-/// it enters at q, p* the surface point nearest to q*. If the lines pq and p*q* make an angle of more than acos 0.9,
-/// the axis lies between q and q*, at m = p + s u, u = (q − p)/|q − p|, where m is as far from p as from the tangent
-/// plane at p*. Foot points start from the nearest of `samples`; where there are none, there is no axis.
+/// is not on the surface, p is the foot of q, q* is the point where the ray from p through q leaves the cell that it
+/// enters at q, and p* is the foot of q*. If the lines pq and p*q* make an angle of more than acos 0.9, the axis is
+/// between q and q*: at m = p + s u with u = (q − p)/|q − p|, where m is as far from p as from the tangent plane at p*.
+/// The search for a foot starts from the nearest of `samples`; without samples there is no axis.
 ///
-/// As published, the ends of the axis, where the angle closes, are not found (axis_ends.h finds them). A shape without
-/// an axis (a plane) gives no points. Multi-threaded; points come in the order of the nodes, whatever the
-/// number of threads. Cost: two nearest-neighbour queries a lattice node, and a few projections near the axis.
+/// As published, this does not find the ends of the axis, where the angle closes (axis_ends.h does). A plane has no
+/// axis and gives no points. Multi-threaded; the points are in the order of the nodes for any number of threads. Cost:
+/// two nearest-neighbour queries a lattice node, and a few projections near the axis.
 ///
-/// The points lie about a node apart, so the distance to the nearest of them is more than that to the axis: for λ of a
-/// voxel or two by a tenth to a half, and in sheets thinner than a voxel there may be no node to find any. With
-/// `halvings` > 0, beyond what is published, the nodes of a lattice of half the spacing are asked, too, within two
-/// cells of the surface, of a quarter within two of the smaller cells, and so on: where λ is small, the points are
-/// dense. Each halving costs about as much as the lattice.
+/// The points are about one node apart, so the distance to the nearest of them exceeds the distance to the axis: by a
+/// tenth to a half where λ is a voxel or two. Sheets thinner than a voxel may have no point at all. `halvings` > 0,
+/// which the paper does not have, adds the nodes of a lattice with half the spacing within two cells of the surface, of
+/// a lattice with a quarter within two of the smaller cells, and so on. So the points are dense where λ is small. Each
+/// halving costs about as much as the whole lattice.
 MedialBalls foot_point_axis(const Isosurface& surface, const SurfaceSamples& samples, Monitor& monitor,
                             int halvings = 0);
 

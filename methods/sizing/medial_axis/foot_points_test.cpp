@@ -19,7 +19,7 @@
 namespace isobench {
 namespace {
 
-/// A phantom with `nodes` nodes along its longest axis, its samples and its axis by foot points.
+/// A phantom with `nodes` nodes along its longest axis, its samples, and its axis from foot points.
 struct Axis {
   Isosurface surface;
   double cap;
@@ -55,7 +55,8 @@ double median(std::vector<double> values) {
 
 class FootPointsOfPhantom : public testing::TestWithParam<Phantom> {};
 
-// By the median, 10 %: where the axis ends and its ends are left out, 1/|κ| closes the gap at the ridge alone.
+// The tolerance of 10 % is for the median, because without the ends of the axis 1/|κ| replaces λ only at the ridge
+// itself.
 TEST_P(FootPointsOfPhantom, AgreeWithTheClosedFormAndWithShrinkingBalls) {
   const Phantom& shape = GetParam();
   Axis axis(shape.name, 64);
@@ -99,14 +100,14 @@ TEST(FootPoints, LieAsFarFromTheSurfaceAsTheySay) {
     }
     errors.push_back(std::abs(nearest - axis.points.radii[n]));
   }
-  // The tangent plane stands for the surface within a voxel or so.
+  // The tangent plane approximates the surface within about a voxel.
   EXPECT_LE(median(errors), 0.1 * axis.surface.voxel());
   EXPECT_LE(*std::max_element(errors.begin(), errors.end()), 0.7 * axis.surface.voxel());
 }
 
-// A plane through the whole volume has no axis, and every question has an answer.
+// A plane through the whole volume has no axis. λ is the cap everywhere.
 TEST(FootPoints, FindNoAxisWhereThereIsNone) {
-  Volume volume;
+  FloatVolume volume;
   volume.lattice.size = {8, 8, 8};
   for (int layer = 0; layer < 8; ++layer) volume.samples.insert(volume.samples.end(), 64, static_cast<float>(layer));
   const Axis axis(Isosurface(std::move(volume), 3.3), Monitor());
@@ -127,8 +128,8 @@ TEST(FootPoints, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.radii, four.radii);
 }
 
-// With a tube of little more than a voxel the lattice misses long parts of the axis, and λ is that of the next part.
-// What is left after halving is mostly the spline, which moves so thin a tube's surface.
+// In a tube little more than a voxel thick, the lattice misses long parts of the axis, and λ is too large there. After
+// one halving, the remaining error is mostly that of the spline, which moves the surface of so thin a tube.
 TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
   const auto error = [](int halvings) {
     const Axis axis("torus", 18, halvings);
@@ -151,7 +152,7 @@ TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
 
 struct Agreement {
   const char* volume;
-  double published;  ///< voxels, at the 95th percentile
+  double published;  ///< voxels, 95th percentile
 };
 
 void PrintTo(const Agreement& expected, std::ostream* out) { *out << expected.volume; }
@@ -189,8 +190,9 @@ TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
   EXPECT_LE(with_ends.p95, 0.25);
 }
 
-// As published, one voxel, and 1.2 on the pelvis: along its wide bones the axis ends in ridges 4 to 12 voxels round,
-// towards which the angle falls to 5 to 20°, below the published threshold. With the ends, a quarter of a voxel.
+// The tolerances as published are one voxel, and 1.2 on the pelvis: the axis of its wide bones ends in ridges with
+// radii of 4 to 12 voxels, where the angle falls to 5 to 20°, below the published threshold. With the ends, a quarter
+// of a voxel.
 INSTANTIATE_TEST_SUITE_P(RealData, FootPointsVolumesSlow,
                          testing::Values(Agreement{"brain", 1.0}, Agreement{"pelvis", 1.2}, Agreement{"skull", 1.0},
                                          Agreement{"vessel", 1.0}),

@@ -1,4 +1,4 @@
-// A kd-tree over points that answers "which is nearest", over nanoflann.
+// Nearest-neighbour search among points, by a kd-tree of nanoflann.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ namespace isobench {
 
 class PointTree {
  public:
-  /// Keeps a reference: the points must outlive the tree and stay as they are.
+  /// Keeps a reference to the points: they must outlive the tree and must not change.
   explicit PointTree(const std::vector<Eigen::Vector3d>& points)
       : adaptor_{points}, index_(3, adaptor_, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {
     index_.buildIndex();
@@ -21,11 +21,11 @@ class PointTree {
   PointTree(const PointTree&) = delete;
   PointTree& operator=(const PointTree&) = delete;
 
-  /// Index of and distance to the point nearest to x.
+  /// The index of the point nearest to x, and the distance to it.
   std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x) const {
     return nearest(x, 0, std::numeric_limits<double>::max());
   }
-  /// The same, for an x that point number `guess` is thought to be near: the nearer it is, the sooner the answer.
+  /// The same, starting from point `guess`: the nearer it is to x, the faster the search.
   std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x, std::size_t guess) const {
     return nearest(x, guess, (adaptor_.points[guess] - x).squaredNorm());
   }
@@ -42,14 +42,29 @@ class PointTree {
   };
   using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>, Adaptor, 3>;
 
+  /// What nanoflann tells of the points that it meets: keeps the nearest one with a squared distance below `square`.
+  /// The library's own result sets take such a bound in some of its versions only.
+  struct Nearest {
+    using DistanceType = double;
+    std::size_t index;
+    double square;
+    double worstDist() const { return square; }  // NOLINT(readability-identifier-naming): the library's name
+    bool full() const { return true; }
+    void sort() const {}
+    bool addPoint(double found, std::size_t at) {  // NOLINT(readability-identifier-naming): the library's name
+      if (found < square) {
+        square = found;
+        index = at;
+      }
+      return true;  // go on searching
+    }
+  };
+
   /// The nearest of those whose squared distance is below `square`; `found` if there is none.
   std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x, std::size_t found, double square) const {
-    const double bound = square;
-    nanoflann::KNNResultSet<double, std::size_t, std::size_t> result(1);
-    result.init(&found, &square);
-    square = bound;
-    index_.findNeighbors(result, x.data(), nanoflann::SearchParams());
-    return {found, std::sqrt(square)};
+    Nearest result{found, square};
+    index_.findNeighbors(result, x.data(), {});
+    return {result.index, std::sqrt(result.square)};
   }
 
   Adaptor adaptor_;

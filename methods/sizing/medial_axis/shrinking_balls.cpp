@@ -36,7 +36,7 @@ Key key_of(const Eigen::Vector3d& x, double cell) {
           static_cast<std::int64_t>(std::floor(x[2] / cell))};
 }
 
-/// Keeps points apart: accepts a point unless one that it accepted before is nearer than `distance`.
+/// Thins points: accepts a point unless an accepted point is nearer than `distance`.
 class Thinning {
  public:
   Thinning(double distance, std::size_t expected) : distance_(distance), cell_(4.0 * distance) {
@@ -46,7 +46,7 @@ class Thinning {
   }
 
   bool accept(const Eigen::Vector3d& x) {
-    // The cells are wide, so that most points look into one or two of them.
+    // The cells are wide, so that most points need to look into one or two cells only.
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(distance_);
     const Key low = key_of(x - reach, cell_);
     const Key high = key_of(x + reach, cell_);
@@ -85,13 +85,13 @@ class Thinning {
   std::vector<std::size_t> next_;
 };
 
-/// The largest ball on one side of a sample: centre = point + radius·direction.
+/// Finds the largest empty ball that touches a sample on one side: centre = point + radius · direction.
 class BallSearch {
  public:
   BallSearch(const SurfaceSamples& samples, const PointTree& tree) : samples_(samples), tree_(tree) {}
 
-  /// `start` > 0 is a guess: the ball grows from it if it is too small. A huge ball would be slow, for from afar all
-  /// samples are equally near.
+  /// `start` > 0 is a guess; the ball grows from it if it is empty. Starting with a huge ball would be slow, because
+  /// nearest-neighbour queries far from all samples are slow.
   double radius(std::size_t sample, const Eigen::Vector3d& direction, double osculating, double start) const {
     double radius = std::min(start, osculating);
     for (;;) {
@@ -105,14 +105,15 @@ class BallSearch {
   double shrink(std::size_t sample, const Eigen::Vector3d& direction, double radius) const {
     const Eigen::Vector3d& p = samples_.points[sample];
     constexpr int max_steps = 50;
-    std::size_t touched = sample;  // no nearest sample is farther away than the one that the ball touched last
+    std::size_t touched =
+        sample;  // an upper bound for the search: the sample that the ball touched last is at least as near as `radius`
     for (int step = 0; step < max_steps; ++step) {
       const auto [nearest, distance] = tree_.nearest(p + radius * direction, touched);
       if (distance >= radius * (1.0 - 1e-6)) return radius;
       touched = nearest;
       const Eigen::Vector3d to = samples_.points[nearest] - p;
       const double height = direction.dot(to);
-      if (!(height > 0.0)) return radius;  // the sample itself, or one that no tangent ball can touch
+      if (!(height > 0.0)) return radius;  // the sample itself, or one that no tangent ball touches
       const double next = to.squaredNorm() / (2.0 * height);
       if (!(next < radius)) return radius;
       radius = next;
@@ -161,14 +162,15 @@ MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double 
   const std::size_t count = samples.points.size();
   const PointTree tree(samples.points);
   const BallSearch search(samples, tree);
-  constexpr double guess = 1.2;  // times the neighbour's radius: mostly enough, and little to shrink
+  constexpr double guess =
+      1.2;  // times the radius of the previous sample; usually large enough, and needs little shrinking
   const auto osculating = [cap](double bend) { return bend > 1.0 / cap ? 1.0 / bend : cap; };
   MedialBalls balls;
   balls.centres.resize(2 * count);
   balls.radii.resize(2 * count);
-  // In slices, so that progress can be told from the calling thread. Samples in a row are mostly neighbours on the
-  // surface, so a sample's balls are the guess for the next one's; rows are cut at the same places for any number of
-  // threads, because the last digits of a radius depend on the guess.
+  // Slices let the calling thread report progress. Consecutive samples are mostly neighbours on the surface, so the
+  // balls of one are the guess for the next. Rows begin at the same samples for any number of threads, because the last
+  // digits of a radius depend on the guess.
   constexpr std::size_t slice = 1 << 16;
   constexpr std::size_t row = 256;
   for (std::size_t first = 0; first < count; first += slice) {

@@ -1,4 +1,4 @@
-// Local feature size by shrinking balls (Ma, Bae, Choi 2012): the centres of the largest empty balls that touch the
+// Local feature size from shrinking balls (Ma, Bae, Choi 2012): the centres of the largest empty balls that touch the
 // surface from either side approximate its medial axis.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace isobench {
 
 /// Points of the surface with their normals and curvatures (lattice frame, mm).
 struct SurfaceSamples {
-  std::vector<Eigen::Vector3d> points;   ///< on F = c to 1e-9 voxel, no two nearer than 0.1 voxel
+  std::vector<Eigen::Vector3d> points;   ///< within 1e-9 voxel of F = c, at least 0.1 voxel apart
   std::vector<Eigen::Vector3d> normals;  ///< outward, unit
   std::vector<Curvatures> curvature;     ///< 1/mm, capped at 2/voxel
   std::vector<double> slope;             ///< |∇f|
 };
 
-/// Projects candidate points onto the surface and thins them; points that do not converge are left out.
+/// Projects candidates onto the surface and thins them. Candidates whose projection does not converge are left out.
 SurfaceSamples surface_samples(const Isosurface& surface, const std::vector<Eigen::Vector3d>& candidates);
 
 struct MedialBalls {
@@ -28,17 +28,17 @@ struct MedialBalls {
   std::vector<double> radii;             ///< mm
 };
 
-/// One ball per sample and side. A ball starts at min(osculating radius of that side, a few voxels), doubles while it
-/// is empty, and shrinks once it is not: queries from afar, where every sample is equally near, are what costs. `cap`
-/// (mm) bounds the radius; balls that reach it are kept, so that no feature size exceeds the cap. Multi-threaded;
-/// results do not depend on the number of threads.
+/// One ball for each sample and side. A ball starts at a few voxels or the osculating radius of its side, if that is
+/// smaller. It doubles while it is empty and then shrinks until it is empty. It starts small because nearest-neighbour
+/// queries far from the surface are slow. `cap` (mm) bounds the radius. Balls that reach the cap are kept, so no
+/// feature size exceeds it. The result does not depend on the number of threads.
 MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double cap, Monitor& monitor);
 
-/// λ: the distance to the nearest point of the medial axis. Built once, asked from many threads.
+/// λ: the distance to the nearest point of the medial axis. Many threads may call it at the same time.
 class FeatureSize {
  public:
-  /// The balls' centres are the axis; they are thinned to one per cell of a twentieth of a voxel. No λ exceeds `cap`
-  /// (mm), which is also the answer where there is no axis.
+  /// The axis consists of the balls' centres, thinned to one in each cell of a twentieth of a voxel. λ is at most `cap`
+  /// (mm), and equal to it where there is no axis.
   FeatureSize(const MedialBalls& balls, double voxel, double cap = std::numeric_limits<double>::infinity());
   ~FeatureSize();
   FeatureSize(FeatureSize&&) noexcept;

@@ -14,7 +14,7 @@
 namespace isobench {
 namespace {
 
-/// Estimated λ on the surface of a phantom sampled with `nodes` nodes along its longest axis.
+/// λ estimated on the surface of a phantom that is sampled with `nodes` nodes along its longest axis.
 struct Estimate {
   Isosurface surface;
   SurfaceSamples samples;
@@ -43,12 +43,12 @@ Errors quantiles(std::vector<double> errors) {
 
 struct Case {
   std::string phantom;
-  int nodes;  // along the longest axis: the resolution at which the tolerances are claimed
+  int nodes;  // along the longest axis; the resolution at which the tolerances hold
 };
 
 class FeatureSizeOfPhantom : public testing::TestWithParam<Case> {};
 
-// The tolerances are the project's claim: 2 % in the median, 5 % at the 95th percentile.
+// The tolerances are those that the project claims: 2 % for the median and 5 % for the 95th percentile.
 TEST_P(FeatureSizeOfPhantom, AgreesWithTheClosedForm) {
   const Phantom& shape = phantom(GetParam().phantom);
   ASSERT_TRUE(shape.feature_size);
@@ -85,7 +85,7 @@ TEST(FeatureSizeSlow, EveryPhantomWithAClosedFormIsTested) {
                                              "rounded-box", "thin-sheets", "near-spheres"}));
 }
 
-// Where a last branch has left its sibling, the nearest axis is its own: λ is the radius there.
+// Near the tips of the last branches, the nearest axis is that of the branch itself, so λ is its radius.
 TEST(FeatureSizeSlow, OfTheVesselTreeIsTheRadiusOfItsTips) {
   const Phantom& shape = phantom("vessel-tree");
   const Estimate estimate(shape, 128);
@@ -108,11 +108,11 @@ TEST(FeatureSizeSlow, OfTheVesselTreeIsTheRadiusOfItsTips) {
   const Errors found = quantiles(errors);
   EXPECT_LE(found.median, 0.02) << "of " << errors.size() << " samples";
   EXPECT_LE(found.p95, 0.05) << "of " << errors.size() << " samples";
-  // Its taper leaves 0.03 mm at 95 % of the way, the spline takes as much off: voxel²/(6r).
+  // At 95 % of the length, the taper leaves 0.03 mm, and the spline shrinks the radius by about as much, voxel²/(6r).
   EXPECT_NEAR(smallest, *shape.smallest_radius, 0.05);
 }
 
-// No closed form: the reference is the same shape on a lattice twice as fine.
+// There is no closed form. The reference is the same shape on a lattice twice as fine.
 TEST(FeatureSizeSlow, GyroidBallAgreesWithATwiceRefinedReference) {
   const Phantom& shape = phantom("gyroid-ball");
   const Estimate coarse(shape, 128);

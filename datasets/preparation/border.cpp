@@ -1,0 +1,162 @@
+// The steps that cut a volume, extend it or change its outermost layers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "isobench/datasets/preparation/prepare_steps.h"
+#include "isobench/foundation/error.h"
+
+namespace isobench {
+
+namespace {
+
+/// True if a T can be this value: for an integer type a whole number within its range. A floating-point type rounds.
+template <class T>
+bool holds(double value) {
+  if constexpr (std::is_integral_v<T>) {
+    return value == std::floor(value) && value >= static_cast<double>(std::numeric_limits<T>::min()) &&
+           value < std::ldexp(1.0, std::numeric_limits<T>::digits);
+  } else {
+    return true;
+  }
+}
+
+/// Turns samples that cannot be this value into RealOf their type.
+void make_room_for(double value, Samples& samples) {
+  samples = samples.visit([&](auto& values) -> Samples {
+    using T = SampleOf<decltype(values)>;
+    if (holds<T>(value)) return std::move(values);
+    std::vector<RealOf<T>> reals;
+    reals.reserve(values.size());
+    for (const T sample : values) reals.push_back(static_cast<RealOf<T>>(sample));
+    return reals;
+  });
+}
+
+template <class T>
+bool is_inside(T sample) {
+  return sample > T{0};
+}
+
+/// The first and the last node along each axis.
+struct Box {
+  Eigen::Array3i low;
+  Eigen::Array3i high;
+};
+
+/// The box of the nodes > 0; its high end is below its low end if there are none.
+template <class T>
+Box bounding_box(const std::vector<T>& samples, const Lattice& lattice) {
+  const auto [nx, ny, nz] = lattice.size;
+  Box box{Eigen::Array3i(nx, ny, nz), Eigen::Array3i(-1, -1, -1)};
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      const T* row = &samples[lattice.index(0, j, k)];
+      const T* first = std::find_if(row, row + nx, is_inside<T>);
+      if (first == row + nx) continue;
+      int last = nx - 1;
+      while (!is_inside(row[last])) --last;
+      box.low = box.low.min(Eigen::Array3i(static_cast<int>(first - row), j, k));
+      box.high = box.high.max(Eigen::Array3i(last, j, k));
+    }
+  }
+  return box;
+}
+
+/// Copies the part of `from` that begins at node `from_first` to the place in `to` that begins at `to_first`.
+template <class T>
+void copy_nodes(const std::vector<T>& from, const Lattice& from_lattice, const Eigen::Array3i& from_first,
+                std::vector<T>& to, const Lattice& to_lattice, const Eigen::Array3i& to_first,
+                const Eigen::Array3i& size) {
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      std::copy_n(&from[from_lattice.index(from_first[0], from_first[1] + j, from_first[2] + k)], size[0],
+                  &to[to_lattice.index(to_first[0], to_first[1] + j, to_first[2] + k)]);
+    }
+  }
+}
+
+template <class T>
+void clamp_layers(std::vector<T>& samples, const Lattice& lattice, const CloseBorder& step, T limit) {
+  const auto& size = lattice.size;
+  const auto close = [&](T& sample) { sample = step.object_below ? std::max(sample, limit) : std::min(sample, limit); };
+  const auto in_layers = [&](int n, int count) { return n < step.layers || n >= count - step.layers; };
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      const bool whole_row = in_layers(k, size[2]) || in_layers(j, size[1]);
+      T* row = &samples[lattice.index(0, j, k)];
+      for (int i = 0; i < size[0]; ++i) {
+        if (whole_row || in_layers(i, size[0])) close(row[i]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void check_size(const std::array<int, 3>& size) {
+  // The limit is that for files: 2^40 nodes are more than any volume has, and their number fits into 64 bits.
+  if (static_cast<double>(size[0]) * size[1] * size[2] > static_cast<double>(1LL << 40U)) {
+    throw DataError(fmt::format("a volume of {} × {} × {} nodes would be too large; pad or resample it less", size[0],
+                                size[1], size[2]));
+  }
+}
+
+void crop(Volume& volume, int margin) {
+  const Lattice& lattice = volume.lattice;
+  const Eigen::Array3i size_before(lattice.size[0], lattice.size[1], lattice.size[2]);
+  Box box = volume.samples.visit([&](const auto& samples) { return bounding_box(samples, lattice); });
+  if (box.high[0] < 0) throw DataError("crop: no sample is > 0; check the threshold or the labels before it");
+  margin = std::clamp(margin, 0, size_before.maxCoeff());
+  box.low = (box.low - margin).max(0);
+  box.high = (box.high + margin).min(size_before - 1);
+  const Eigen::Array3i size = box.high - box.low + 1;
+  Lattice cropped = lattice;
+  cropped.size = {size[0], size[1], size[2]};
+  cropped.origin = lattice.to_world(box.low.cast<double>().matrix().cwiseProduct(lattice.spacing));
+  volume.samples = volume.samples.visit([&](const auto& samples) -> Samples {
+    std::vector<SampleOf<decltype(samples)>> result(cropped.nodes());
+    copy_nodes(samples, lattice, box.low, result, cropped, Eigen::Array3i::Zero(), size);
+    return result;
+  });
+  volume.lattice = cropped;
+}
+
+void pad(Volume& volume, int voxels, double value) {
+  if (voxels < 0) throw DataError("pad: the number of voxels is negative; give one of at least 0");
+  const Lattice& lattice = volume.lattice;
+  Lattice padded = lattice;
+  for (int& count : padded.size) {
+    if (count > std::numeric_limits<int>::max() - 2 * static_cast<long long>(voxels))
+      throw DataError("pad: the volume would have more nodes along an axis than 2^31 - 1; add fewer voxels");
+    count += 2 * voxels;
+  }
+  check_size(padded.size);
+  padded.origin = lattice.to_world(-voxels * lattice.spacing);
+  make_room_for(value, volume.samples);
+  const Eigen::Array3i size(lattice.size[0], lattice.size[1], lattice.size[2]);
+  volume.samples = volume.samples.visit([&](const auto& samples) -> Samples {
+    using T = SampleOf<decltype(samples)>;
+    std::vector<T> result(padded.nodes(), static_cast<T>(value));
+    copy_nodes(samples, lattice, Eigen::Array3i::Zero(), result, padded, Eigen::Array3i::Constant(voxels), size);
+    return result;
+  });
+  volume.lattice = padded;
+}
+
+void close_border(Volume& volume, const CloseBorder& step) {
+  if (volume.samples.empty()) throw DataError("close-border: the volume has no samples; give one that has");
+  if (!step.use_minimum) make_room_for(step.value, volume.samples);
+  volume.samples.visit([&](auto& samples) {
+    using T = SampleOf<decltype(samples)>;
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+    const T limit = !step.use_minimum ? static_cast<T>(step.value) : step.object_below ? *most : *least;
+    clamp_layers(samples, volume.lattice, step, limit);
+  });
+}
+
+}  // namespace isobench

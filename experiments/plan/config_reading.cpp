@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/experiments/plan/config.h"
+#include "isobench/experiments/plan/config_readers.h"
+#include "isobench/foundation/names.h"
+#include "isobench/reports/published/published.h"
+
+namespace isobench {
+
+namespace {
+
+std::vector<std::string> read_datasets(const TomlValue& value) {
+  std::vector<std::string> names;
+  for (const TomlValue& element : nonempty_list(value, "dataset")) {
+    const std::string name = element.as_string();
+    dataset_checksum(name, element.place());  // throws where there is no such dataset
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      throw UsageError(element.place(), "dataset '" + name + "' is listed twice");
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::uint64_t> read_seeds(const TomlValue& value) {
+  std::vector<std::uint64_t> seeds;
+  for (const TomlValue& element : nonempty_list(value, "seed")) {
+    const std::int64_t seed = element.as_integer();
+    if (seed < 0) throw UsageError(element.place(), fmt::format("seed is {}; expected a whole number >= 0", seed));
+    seeds.push_back(static_cast<std::uint64_t>(seed));
+  }
+  return seeds;
+}
+
+int read_repeats(const TomlValue& value) { return whole_number(value, "repeats", 1, 1000); }
+
+Aside read_aside(const TomlValue& table) {
+  table.allow_keys({"dataset", "seed", "sampling", "method"}, "[[also]]");
+  Aside aside;
+  aside.datasets = read_datasets(table.require("dataset"));
+  if (const auto seeds = table.find("seed")) aside.seeds = read_seeds(*seeds);
+  aside.sampling = read_sampling(table.require("sampling"));
+  check_kind(aside.sampling);
+  aside.methods = read_methods(table);
+  return aside;
+}
+
+void apply_quick(Config& config, const TomlValue& quick) {
+  if (const auto datasets = quick.find("dataset")) config.datasets = read_datasets(*datasets);
+  if (const auto seeds = quick.find("seed")) {
+    config.seeds = read_seeds(*seeds);
+    for (Aside& aside : config.also) aside.seeds = config.seeds;
+  }
+  if (const auto repeats = quick.find("repeats")) config.repeats = read_repeats(*repeats);
+  if (const auto methods = quick.find("method")) keep_methods(config, *methods);
+  if (const auto sampling = quick.find("sampling")) {
+    config.sampling = merged(config.sampling, read_sampling(*sampling));
+    check_kind(config.sampling);
+  }
+}
+
+std::vector<int> read_reference_k(const TomlValue& table) {
+  table.allow_keys({"k"}, "[reference]");
+  std::vector<int> refinements;
+  for (const TomlValue& value : nonempty_list(table.require("k"), "k"))
+    refinements.push_back(reference_refinement(value));
+  return refinements;
+}
+
+std::filesystem::path read_published_path(const TomlValue& table, const std::filesystem::path& folder) {
+  table.allow_keys({"source"}, "[published]");
+  const TomlValue source = table.require("source");
+  std::filesystem::path path = folder / source.as_string();
+  if (!std::filesystem::is_regular_file(path)) {
+    throw UsageError(source.place(), "there is no file '" + path.string() +
+                                         "' of published figures; its path is relative to the config's folder");
+  }
+  read_published(path);  // throws for any other file, which would otherwise be copied into the results folder
+  return path;
+}
+
+}  // namespace
+
+Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
+  const TomlValue document = TomlValue::parse_file(path);
+  document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "artefacts", "match", "match_to", "sampling",
+                       "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
+                      "an experiment");
+  Config config;
+  config.name = path.stem().string();
+  if (!is_plain_name(config.name)) {
+    throw UsageError(
+        Place{path.string()},
+        "the results folder gets the name of this file, which cannot be a folder's; rename it: at most 100 "
+        "printable characters, without '/', and the first neither '.' nor '-'");
+  }
+  config.title = config.name;
+  if (const auto title = document.find("title")) config.title = printable_line(*title, "title", 1000);
+  config.datasets = read_datasets(document.require("dataset"));
+  if (const auto seeds = document.find("seed")) config.seeds = read_seeds(*seeds);
+  if (const auto repeats = document.find("repeats")) config.repeats = read_repeats(*repeats);
+  config.timing = config.repeats > 1;
+  if (const auto timing = document.find("timing")) config.timing = timing->as_bool();
+  if (const auto artefacts = document.find("artefacts")) config.artefacts = artefacts->as_bool();
+  config.sampling = read_sampling(document.require("sampling"));
+  check_kind(config.sampling);
+  config.methods = read_methods(document);
+  if (document.find("match") || document.find("match_to")) config.match = read_match(document, config.methods);
+  if (const auto also = document.find("also")) {
+    for (const TomlValue& table : also->as_list()) config.also.push_back(read_aside(table));
+  }
+  if (const auto limits = document.find("limits")) config.limits = read_limits(*limits);
+  if (const auto reference = document.find("reference")) config.reference_k = read_reference_k(*reference);
+  if (const auto published = document.find("published")) {
+    config.published = read_published_path(*published, path.parent_path());
+  }
+  // [quick] is read even where it is not asked for, so that a mistake in it is found.
+  Config quick = config;
+  std::vector<std::string> datasets = config.datasets;
+  const std::optional<TomlValue> table = document.find("quick");
+  if (table) {
+    table->allow_keys({"dataset", "seed", "repeats", "sampling", "method"}, "[quick]");
+    apply_quick(quick, *table);
+    if (!document.find("timing")) quick.timing = quick.repeats > 1;
+    datasets.insert(datasets.end(), quick.datasets.begin(), quick.datasets.end());
+  }
+  read_overrides(config, document, datasets);
+  config.variations = read_variations(document, config);
+  if (variant == ConfigVariant::full) return config;
+  if (!table) throw UsageError(Place{path.string()}, "--quick needs a [quick] table, and this config has none");
+  quick.name += "-quick";
+  quick.overrides = config.overrides;
+  quick.variations = config.variations;
+  remove_unused_changes(quick);
+  return quick;
+}
+
+}  // namespace isobench
