@@ -1,5 +1,6 @@
 // The rules of the house (docs/ARCHITECTURE.md), held against the tree that this test was built from: includes run one
-// way from floor to floor, folders do not include each other in a circle, and no folder outgrows a reader's memory.
+// way from floor to floor, folders do not include each other in a circle, no folder outgrows a reader's memory, and
+// every test that a build file gives a label exists.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +9,9 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -92,6 +95,41 @@ std::vector<std::string> crowded_folders(const std::vector<std::string>& files, 
   return found;
 }
 
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(fs::path(ISOBENCH_SOURCE) / file).rdbuf();
+  return text.str();
+}
+
+/// The tests that a CMakeLists.txt gives a label, as "Suite.Name" or "Suite.*", without the prefix of parameters.
+std::set<std::string> labelled_tests(const std::string& cmake) {
+  std::set<std::string> named;
+  std::istringstream words(cmake);
+  bool in_list = false;
+  for (std::string word; words >> word;) {
+    if (word == "SLOW" || word == "VOLUMES" || word == "THREADS") {
+      in_list = true;
+      continue;
+    }
+    const bool ends = word.ends_with(')');
+    if (ends) word.pop_back();
+    if (in_list && word.find('.') != std::string::npos) named.insert(word.substr(word.find('/') + 1));
+    in_list = in_list && !ends;
+  }
+  return named;
+}
+
+/// The tests of a source, each as "Suite.Name" and as "Suite.*".
+std::set<std::string> tests_in(const std::string& source) {
+  static const std::regex test(R"(\bTEST(?:_F|_P)?\((\w+),\s*(\w+)\))");
+  std::set<std::string> found;
+  for (std::sregex_iterator match(source.begin(), source.end(), test), end; match != end; ++match) {
+    found.insert(fmt::format("{}.{}", match->str(1), match->str(2)));
+    found.insert(fmt::format("{}.*", match->str(1)));
+  }
+  return found;
+}
+
 std::vector<std::string> files_of_the_tree() {
   std::vector<std::string> files;
   for (const std::string& floor : floors()) {
@@ -146,6 +184,13 @@ TEST(HouseRules, ACrowdedFolderIsFound) {
   EXPECT_EQ(crowded_folders({"a/1.h", "a/2.h", "a/b/3.h"}, 1), std::vector<std::string>{"a has 2 files"});
 }
 
+TEST(HouseRules, LabelledTestsAreFoundByName) {
+  EXPECT_EQ(
+      labelled_tests("isobench_tests(a SOURCES b_test.cpp\n  SLOW Phantoms/C.*\n  THREADS D.E\n F.G)\nadd(h.cpp)"),
+      (std::set<std::string>{"C.*", "D.E", "F.G"}));
+  EXPECT_EQ(tests_in("TEST(A, B) {}\nTEST_P(C, D) {}"), (std::set<std::string>{"A.B", "A.*", "C.D", "C.*"}));
+}
+
 class House : public testing::Test {
  protected:
   std::vector<std::string> files_ = files_of_the_tree();
@@ -162,6 +207,19 @@ TEST_F(House, IncludesCarryThePrefix) { EXPECT_EQ(unprefixed_, std::vector<std::
 
 TEST_F(House, FoldersIncludeEachOtherInNoCircle) {
   EXPECT_EQ(folder_cycle(includes_).value_or(std::vector<std::string>()), std::vector<std::string>());
+}
+
+// A test that was renamed in its source alone would leave its label's list without a sound.
+TEST_F(House, EveryTestThatIsGivenALabelExists) {
+  for (const std::string& floor : floors()) {
+    std::set<std::string> known;
+    for (const std::string& file : files_) {
+      if (file.starts_with(floor) && file.ends_with("_test.cpp")) known.merge(tests_in(text_of(file)));
+    }
+    for (const std::string& name : labelled_tests(text_of(floor + "/CMakeLists.txt"))) {
+      EXPECT_TRUE(known.contains(name)) << floor << "/CMakeLists.txt gives a label to " << name << ", which is no test";
+    }
+  }
 }
 
 TEST_F(House, NoFolderIsCrowded) {

@@ -26,9 +26,9 @@ bool is_at_hand(const std::string& folder) {
          std::filesystem::is_directory(cache_folder() / folder);
 }
 
-class CatalogueVolumesSlow : public testing::TestWithParam<Expected> {};
+class CatalogueOnVolumes : public testing::TestWithParam<Expected> {};
 
-TEST_P(CatalogueVolumesSlow, ArePreparedToTheSizeKnown) {
+TEST_P(CatalogueOnVolumes, ArePreparedToTheSizeKnown) {
   const Expected& expected = GetParam();
   if (!is_at_hand(expected.name)) GTEST_SKIP() << "ISOBENCH_DATA names no folder with " << expected.name;
   Monitor monitor;
@@ -40,7 +40,7 @@ TEST_P(CatalogueVolumesSlow, ArePreparedToTheSizeKnown) {
 }
 
 // The sizes come from a separate preparation of the same data with NumPy and SciPy.
-INSTANTIATE_TEST_SUITE_P(Real, CatalogueVolumesSlow,
+INSTANTIATE_TEST_SUITE_P(Real, CatalogueOnVolumes,
                          testing::Values(Expected{"brain", {138, 176, 146}, {1.0, 1.0, 1.0}},
                                          Expected{"pelvis", {318, 200, 236}, {1.0, 1.0, 1.0}},
                                          Expected{"skull", {256, 256, 113}, {1.0, 1.0, 2.0}},

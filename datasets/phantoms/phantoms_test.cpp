@@ -90,7 +90,7 @@ std::vector<Phantom> widened(std::vector<Phantom> all) {
 }
 
 /// Every pair of 10000 samples: 0.3 s a shape when optimised, but half a minute under sanitizers.
-class FeatureSizeSlow : public ClosedForm {};
+class FeatureSizeByEmptyBalls : public ClosedForm {};
 
 std::vector<Phantom> closed_forms() {
   std::vector<Phantom> known;
@@ -106,7 +106,7 @@ std::string test_name(const testing::TestParamInfo<Phantom>& info) {
   return name;
 }
 
-TEST_P(FeatureSizeSlow, IsTheDistanceToTheCentresOfEmptyBalls) {
+TEST_P(FeatureSizeByEmptyBalls, IsTheDistanceToTheCentresOfEmptyBalls) {
   const Phantom& p = GetParam();
   const auto samples = surface_points(p, 10000);
   const double spacing = std::sqrt(*p.area / static_cast<double>(samples.size()));
@@ -248,7 +248,7 @@ TEST_P(EveryPhantom, IsSampledInItsOwnCoordinatesWithItsMargin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Phantoms, EveryPhantom, testing::ValuesIn(phantoms()), test_name);
-INSTANTIATE_TEST_SUITE_P(Phantoms, FeatureSizeSlow, testing::ValuesIn(widened(closed_forms())), test_name);
+INSTANTIATE_TEST_SUITE_P(Phantoms, FeatureSizeByEmptyBalls, testing::ValuesIn(widened(closed_forms())), test_name);
 INSTANTIATE_TEST_SUITE_P(Phantoms, ClosedForm, testing::ValuesIn(closed_forms()), test_name);
 
 TEST(Phantoms, AllButTheGyroidBallAndTheVesselTreeHaveClosedForms) {

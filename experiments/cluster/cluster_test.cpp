@@ -29,7 +29,7 @@ std::set<std::string> hosts(const fs::path& folder) {
 // Far more than anything here takes on a busy machine.
 constexpr std::chrono::minutes patience(10);
 
-class ClusterSlow : public testing::Test {
+class OnACluster : public testing::Test {
  protected:
   void SetUp() override {
     if (const std::string reason = no_cluster(); !reason.empty()) GTEST_SKIP() << "no cluster here: " << reason;
@@ -43,7 +43,7 @@ class ClusterSlow : public testing::Test {
   std::unique_ptr<Cluster> cluster;
 };
 
-TEST_F(ClusterSlow, GivesWhatOneMachineGives) {
+TEST_F(OnACluster, GivesWhatOneMachineGives) {
   const std::string config = std::string(ISOBENCH_EXPERIMENTS) + "/quick.toml";
   if (const Outcome data = call({"fetch", "skull-small", "brain-mni-half"}); data.code != 0)
     GTEST_SKIP() << "no data here: " << data.err;
@@ -70,7 +70,7 @@ TEST_F(ClusterSlow, GivesWhatOneMachineGives) {
   EXPECT_NE(same.out.find("32 runs are the same in both in all but seconds and memory"), std::string::npos) << same.out;
 }
 
-class ClusterFaultsSlow : public ClusterSlow {
+class OnAFailingCluster : public OnACluster {
  protected:
   fs::path results() const { return folder.path() / "results/faults"; }
   std::string status() const { return call({"status", "results/faults"}).out; }
@@ -96,7 +96,7 @@ class ClusterFaultsSlow : public ClusterSlow {
 };
 
 /// Of ten cells one never ends, one exceeds its limit of time and one its limit of memory.
-TEST_F(ClusterFaultsSlow, LosesNothingWhenTasksAndNodesFail) {
+TEST_F(OnAFailingCluster, LosesNothingWhenTasksAndNodesFail) {
   folder.write("faults.toml",
                "title = \"Faults\"\ndataset = [\"sphere\", \"torus\"]\nseed = [1, 2, 3, 4, 5]\n[sampling]\n"
                "edge_length = 4\n[[method]]\nname = \"particles\"\n[limits]\nminutes = 5\nmemory_gb = 1\n"

@@ -135,7 +135,7 @@ RunRecord full_record(const RunRequest& request) {
 /// A plan may have 100,000 cells, and the program may then take 1 GB: less than half of it for the plan, nine tenths
 /// with all records. This test has a twentieth of the cells. It allows a twentieth of the memory, and what the program
 /// and its libraries take by themselves.
-TEST(SubmitSlow, StaysSmallForVeryManyCells) {
+TEST(Submit, StaysSmallForVeryManyCells) {
   constexpr double most_of_plan_mb = 20.0 + 35.0;
   constexpr double most_of_records_mb = 45.0 + 55.0;
   TestFolder folder;

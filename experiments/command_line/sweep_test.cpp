@@ -7,7 +7,7 @@
 namespace isobench {
 namespace {
 
-TEST(SweepSlow, ShowsBothTrendsOfThePapersFigure) {
+TEST(Sweep, ShowsBothTrendsOfThePapersFigure) {
   const TestFolder folder;
   const Outcome outcome = run_program(folder.path(), {"run", std::string(ISOBENCH_EXPERIMENTS) + "/sweep.toml", "-q"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

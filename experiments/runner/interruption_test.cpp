@@ -91,7 +91,7 @@ int kill_at_random(const TestFolder& folder, int times, double longest, const st
   return alive;
 }
 
-TEST(InterruptionSlow, FiftySigkillsLeaveTheSameResults) {
+TEST(Interruption, FiftySigkillsLeaveTheSameResults) {
   const Undisturbed reference(20);
   const TestFolder folder;
   write_many(folder, 20);
@@ -138,7 +138,7 @@ class Team {
   std::vector<Program> programs_;
 };
 
-TEST(InterruptionSlow, ProcessesOnOneFolderDoEveryCellOnce) {
+TEST(Interruption, ProcessesOnOneFolderDoEveryCellOnce) {
   const Undisturbed reference(10);
   for (const std::size_t size : {2U, 4U}) {
     const TestFolder folder;
@@ -157,7 +157,7 @@ TEST(InterruptionSlow, ProcessesOnOneFolderDoEveryCellOnce) {
 }
 
 // The process that survives completes the tables; nobody has to start the experiment again.
-TEST(InterruptionSlow, ASurvivorDoesWhatTheOthersLeft) {
+TEST(Interruption, ASurvivorDoesWhatTheOthersLeft) {
   const Undisturbed reference(10);
   std::mt19937_64 random(2);
   for (int repeat = 0; repeat < 4; ++repeat) {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "isobench/methods/particles/sampling/random.h"
+#include "isobench/foundation/random.h"
 #include "isobench/methods/sizing/band.h"
 #include "isobench/methods/sizing/limit.h"
 
@@ -60,7 +60,7 @@ class Sampler {
     Eigen::Vector3d x = band_.position(n);
     for (int axis = 0; axis < 3; ++axis) {
       const double jitter =
-          particles::uniform(options_.seed, n, 3 * static_cast<std::uint64_t>(part) + static_cast<std::uint64_t>(axis));
+          uniform_random(options_.seed, n, 3 * static_cast<std::uint64_t>(part) + static_cast<std::uint64_t>(axis));
       x[axis] += band_.spacing()[axis] * (at[axis] + jitter) / parts;
     }
     // Parts far from the surface would project to points that nearer parts sample anyway.

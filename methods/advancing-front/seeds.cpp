@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "isobench/foundation/random.h"
 #include "isobench/methods/advancing-front/fences.h"
-#include "isobench/methods/particles/sampling/random.h"
 #include "isobench/methods/sizing/medial_axis/point_tree.h"
 
 namespace isobench::advancing_front {
@@ -58,7 +58,7 @@ std::vector<Eigen::Vector3d> starting_points(const TriangleMesh& mesh, const Com
   constexpr std::size_t draws = 32;
   std::vector<std::pair<double, std::uint32_t>> drawn;
   for (std::size_t n = 0; n < draws; ++n) {
-    const double at = particles::uniform(seed, component.vertices.front(), n);
+    const double at = uniform_random(seed, component.vertices.front(), n);
     const std::uint32_t vertex =
         component.vertices[static_cast<std::size_t>(at * static_cast<double>(component.vertices.size()))];
     drawn.emplace_back(-step(mesh.vertices[vertex]), vertex);
@@ -76,7 +76,7 @@ std::optional<std::array<Vertex, 3>> seed_triangle(const Isosurface& surface, co
   if (!foot) return std::nullopt;
   const Vertex centre = make_vertex(surface, step, *foot);
   const Eigen::Vector3d right = centre.normal.unitOrthogonal(), up = centre.normal.cross(right);
-  const double turn = 2.0 * std::numbers::pi * particles::uniform(seed, 0, 7);
+  const double turn = 2.0 * std::numbers::pi * uniform_random(seed, 0, 7);
   std::array<Vertex, 3> corners;
   for (std::size_t n = 0; n < 3; ++n) {
     const double angle = turn + static_cast<double>(n) * 2.0 * std::numbers::pi / 3.0;

@@ -8,12 +8,12 @@
 
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/random.h"
 #include "isobench/methods/closing/cocone.h"
 #include "isobench/methods/closing/labelled_delaunay.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/particles/relaxation/newton.h"
-#include "isobench/methods/particles/sampling/random.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench {
@@ -172,7 +172,7 @@ TEST(TightCocone, ClosesWhateverItIsGiven) {
   std::vector<Eigen::Vector3d> cloud;
   for (std::size_t n = 0; n < 500; ++n) {
     using particles::uniform;
-    cloud.emplace_back(uniform(1, n, 0), uniform(1, n, 1), uniform(1, n, 2));
+    cloud.emplace_back(uniform_random(1, n, 0), uniform_random(1, n, 1), uniform_random(1, n, 2));
   }
   Monitor monitor;
   const TightCocone closed = tight_cocone(cloud, monitor);

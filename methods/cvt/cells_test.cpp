@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "isobench/foundation/random.h"
 #include "isobench/methods/cvt/delaunay_mesh.h"
-#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::cvt {
 namespace {
@@ -18,8 +18,8 @@ struct Patch {
       for (std::uint32_t i = 0; i < rows; ++i) {
         const bool rim = i == 0 || j == 0 || i == rows - 1 || j == rows - 1;
         const double reach = rim ? 0.0 : jitter;
-        points.emplace_back(i + 0.5 * (j % 2) + reach * (2.0 * particles::uniform(3, points.size(), 0) - 1.0),
-                            j * std::sqrt(0.75) + reach * (2.0 * particles::uniform(3, points.size(), 1) - 1.0), 0.0);
+        points.emplace_back(i + 0.5 * (j % 2) + reach * (2.0 * uniform_random(3, points.size(), 0) - 1.0),
+                            j * std::sqrt(0.75) + reach * (2.0 * uniform_random(3, points.size(), 1) - 1.0), 0.0);
       }
     }
     for (std::uint32_t j = 0; j + 1 < rows; ++j) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isobench/foundation/random.h"
 #include "isobench/methods/mesh/mesh_facts.h"
-#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::cvt {
 namespace {
@@ -52,8 +52,8 @@ TEST(CvtDelaunayMesh, IsTheDelaunayTriangulationInThePlane) {
     for (std::uint32_t i = 0; i < n; ++i) {
       const bool rim = i < 2 || j < 2 || i > n - 3 || j > n - 3;
       const double reach = rim ? 0.0 : 0.45;
-      points.emplace_back(i + reach * (2.0 * particles::uniform(1, points.size(), 0) - 1.0),
-                          j + reach * (2.0 * particles::uniform(1, points.size(), 1) - 1.0), 0.0);
+      points.emplace_back(i + reach * (2.0 * uniform_random(1, points.size(), 0) - 1.0),
+                          j + reach * (2.0 * uniform_random(1, points.size(), 1) - 1.0), 0.0);
     }
   }
   const auto apex = static_cast<std::uint32_t>(points.size());
@@ -69,7 +69,7 @@ TEST(CvtDelaunayMesh, IsTheDelaunayTriangulationInThePlane) {
       const bool ac = turns(a, b, c) && turns(a, c, d);
       const bool bd = turns(a, b, d) && turns(b, c, d);
       ASSERT_TRUE(ac || bd);
-      const bool first = ac && (!bd || particles::uniform(2, a, 0) < 0.5);
+      const bool first = ac && (!bd || uniform_random(2, a, 0) < 0.5);
       triangles.push_back(first ? Triangle{a, b, c} : Triangle{a, b, d});
       triangles.push_back(first ? Triangle{a, c, d} : Triangle{b, c, d});
     }

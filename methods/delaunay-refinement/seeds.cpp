@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "isobench/methods/particles/sampling/random.h"
+#include "isobench/foundation/random.h"
 
 namespace isobench::delaunay_refinement {
 
@@ -14,7 +14,7 @@ constexpr std::size_t fewest = 8;
 constexpr std::size_t most = 200;
 
 std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points, double spacing, std::uint64_t seed) {
-  std::vector<Eigen::Vector3d> chosen = {points[particles::hash(seed) % points.size()]};
+  std::vector<Eigen::Vector3d> chosen = {points[split_mix_64(seed) % points.size()]};
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
   while (chosen.size() < most) {
     std::size_t farthest = 0;

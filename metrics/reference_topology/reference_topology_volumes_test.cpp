@@ -20,9 +20,9 @@ struct Counted {
   std::size_t settled_components;
 };
 
-class ReferenceTopologyVolumesSlow : public testing::TestWithParam<Counted> {};
+class ReferenceTopologyOnVolumes : public testing::TestWithParam<Counted> {};
 
-TEST_P(ReferenceTopologyVolumesSlow, AsCountedOnce) {
+TEST_P(ReferenceTopologyOnVolumes, AsCountedOnce) {
   if (std::getenv("ISOBENCH_DATA") == nullptr) {
     GTEST_SKIP() << "ISOBENCH_DATA does not name the folder of the real volumes";
   }
@@ -38,7 +38,7 @@ TEST_P(ReferenceTopologyVolumesSlow, AsCountedOnce) {
 
 // With a closer look at critical points k = 3 and 4 agree. The plain counts of the brain come to this at
 // k = 12 and 13, after −84, −80, −78 at 4, 6, 8; those of the vessel's even k are this, those of its odd ones are not.
-TEST_P(ReferenceTopologyVolumesSlow, IsTheSameForAnyRefinement) {
+TEST_P(ReferenceTopologyOnVolumes, IsTheSameForAnyRefinement) {
   if (std::getenv("ISOBENCH_DATA") == nullptr) {
     GTEST_SKIP() << "ISOBENCH_DATA does not name the folder of the real volumes";
   }
@@ -52,7 +52,7 @@ TEST_P(ReferenceTopologyVolumesSlow, IsTheSameForAnyRefinement) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Counts, ReferenceTopologyVolumesSlow,
+INSTANTIATE_TEST_SUITE_P(Counts, ReferenceTopologyOnVolumes,
                          testing::Values(Counted{"brain", {-110, -88, -88}, {5, 4, 3}, -76, 3},
                                          Counted{"pelvis", {-14, -14, -14}, {1, 1, 1}, -14, 1},
                                          Counted{"skull", {-192, -186, -164}, {52, 48, 50}, -162, 49},

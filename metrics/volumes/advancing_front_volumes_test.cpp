@@ -19,7 +19,7 @@ struct FrontCase {
   double delta;
 };
 
-class AdvancingFrontOnVolumesSlow : public testing::TestWithParam<FrontCase> {
+class AdvancingFrontOnVolumes : public testing::TestWithParam<FrontCase> {
  protected:
   void SetUp() override {
     if (std::getenv("ISOBENCH_DATA") == nullptr) {
@@ -28,7 +28,7 @@ class AdvancingFrontOnVolumesSlow : public testing::TestWithParam<FrontCase> {
   }
 };
 
-TEST_P(AdvancingFrontOnVolumesSlow, ClosesAndReachesThePapersRegime) {
+TEST_P(AdvancingFrontOnVolumes, ClosesAndReachesThePapersRegime) {
   Monitor monitor;
   const Dataset dataset = load_dataset(GetParam().dataset, monitor);
   SizingRequest sizing;
@@ -53,7 +53,7 @@ TEST_P(AdvancingFrontOnVolumesSlow, ClosesAndReachesThePapersRegime) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Paper, AdvancingFrontOnVolumesSlow,
+INSTANTIATE_TEST_SUITE_P(Paper, AdvancingFrontOnVolumes,
                          testing::Values(FrontCase{"brain", 0.5, 0.3}, FrontCase{"pelvis", 0.75, 0.5},
                                          FrontCase{"skull", 0.5, 0.3}, FrontCase{"vessel", 0.5, 0.3},
                                          FrontCase{"skull-small", 0.5, 0.3}),

@@ -43,23 +43,23 @@ void expect_both_shells(const Measurement& found, double average) {
 
 constexpr const char* needs = "needs the real volumes: set ISOBENCH_DATA to the folder that holds them";
 
-TEST(CgalMethodsOnVolumesSlow, Mesh3MeshesBothShellsOfTheSmallSkull) {
+TEST(CgalMethodsOnVolumes, Mesh3MeshesBothShellsOfTheSmallSkull) {
   if (skull_small() == nullptr) GTEST_SKIP() << needs;
   expect_both_shells(measured("delaunay-refinement", {}), 0.909);
 }
 
-TEST(CgalMethodsOnVolumesSlow, Mesh3InParallelDoes) {
+TEST(CgalMethodsOnVolumes, Mesh3InParallelDoes) {
   if (skull_small() == nullptr) GTEST_SKIP() << needs;
   expect_both_shells(measured("delaunay-refinement", {{"parallel", true}}), 0.908);
 }
 
-TEST(CgalMethodsOnVolumesSlow, SurfaceMesherDoes) {
+TEST(CgalMethodsOnVolumes, SurfaceMesherDoes) {
   if (skull_small() == nullptr) GTEST_SKIP() << needs;
   expect_both_shells(measured("delaunay-refinement", {{"engine", std::string("surface-mesher")}}), 0.916);
 }
 
 // It keeps the false bridges that lattice marching cubes makes between the shells.
-TEST(CgalMethodsOnVolumesSlow, IsotropicRemeshingKeepsTheLatticesTopology) {
+TEST(CgalMethodsOnVolumes, IsotropicRemeshingKeepsTheLatticesTopology) {
   if (skull_small() == nullptr) GTEST_SKIP() << needs;
   const Measurement found = measured("isotropic-remeshing", {});
   EXPECT_NEAR(found.number("vertices"), 50000.0, 1000.0);

@@ -11,7 +11,7 @@
 namespace isobench {
 namespace {
 
-TEST(CvtOnVolumesSlow, MeshesBothShellsOfTheSmallSkull) {
+TEST(CvtOnVolumes, MeshesBothShellsOfTheSmallSkull) {
   if (std::getenv("ISOBENCH_DATA") == nullptr) {
     GTEST_SKIP() << "needs the real volumes: set ISOBENCH_DATA to the folder that holds them";
   }

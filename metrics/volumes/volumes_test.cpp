@@ -37,9 +37,9 @@ class OnVolumes : public testing::Test {
   }
 };
 
-class ParticlesOnVolumesSlow : public OnVolumes, public testing::WithParamInterface<VolumeCase> {};
+class ParticlesOnVolumes : public OnVolumes, public testing::WithParamInterface<VolumeCase> {};
 
-TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
+TEST_P(ParticlesOnVolumes, ReachThePapersRegime) {
   Monitor monitor;
   const Dataset dataset = load_dataset(GetParam().dataset, monitor);
   SizingRequest sizing;
@@ -61,9 +61,9 @@ TEST_P(ParticlesOnVolumesSlow, ReachThePapersRegime) {
   EXPECT_EQ(found.number("components"), found.number("components_reference"));
 }
 
-class UniformParticlesOnVolumesSlow : public OnVolumes {};
+class UniformParticlesOnVolumes : public OnVolumes {};
 
-TEST_F(UniformParticlesOnVolumesSlow, ReachWhatNoPeerDoes) {
+TEST_F(UniformParticlesOnVolumes, ReachWhatNoPeerDoes) {
   Monitor monitor;
   const Dataset dataset = load_dataset("skull-small", monitor);
   SizingRequest sizing;
@@ -84,7 +84,7 @@ TEST_F(UniformParticlesOnVolumesSlow, ReachWhatNoPeerDoes) {
   EXPECT_EQ(found.number("components"), 2.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Paper, ParticlesOnVolumesSlow,
+INSTANTIATE_TEST_SUITE_P(Paper, ParticlesOnVolumes,
                          testing::Values(VolumeCase{"brain", 0.5, 0.3}, VolumeCase{"pelvis", 0.75, 0.5},
                                          VolumeCase{"skull", 0.5, 0.3}, VolumeCase{"vessel", 0.5, 0.3}),
                          [](const auto& chosen) { return std::string(chosen.param.dataset); });

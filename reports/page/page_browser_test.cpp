@@ -78,7 +78,7 @@ int differing(const std::string& before, const std::string& after) {
   return count;
 }
 
-class SlowPageInABrowser : public testing::Test {
+class PageInABrowser : public testing::Test {
  protected:
   void SetUp() override {
     if (const std::string missing = Browser::missing(); !missing.empty()) GTEST_SKIP() << missing;
@@ -161,7 +161,7 @@ class SlowPageInABrowser : public testing::Test {
 };
 
 // All in one browser, because its start takes longer than all of these checks.
-TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
+TEST_F(PageInABrowser, ShowsAllSortsAndTurns) {
   browser_->open(page_);
   see_every_table_plot_and_picture();
   sort_a_table_by_a_click();
@@ -169,7 +169,7 @@ TEST_F(SlowPageInABrowser, ShowsAllSortsAndTurns) {
   turn_a_copy_of_a_large_mesh_and_its_worst_place();
 }
 
-TEST_F(SlowPageInABrowser, ReadsWithoutScripts) {
+TEST_F(PageInABrowser, ReadsWithoutScripts) {
   browser_->forbid_scripts();
   browser_->open(page_);
   // No script of the page has run, and everything to be read is there.

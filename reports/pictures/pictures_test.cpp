@@ -37,7 +37,7 @@ struct Square {
   }
 };
 
-TEST(SlowPictures, ShowAMeshInItsPlaceSizeAndColours) {
+TEST(DrawnPictures, ShowAMeshInItsPlaceSizeAndColours) {
   const Square square;
   Renderer renderer(320, 240);
   const Pixels pixels(renderer.draw(square.scene, square.view).png);
@@ -56,7 +56,7 @@ TEST(SlowPictures, ShowAMeshInItsPlaceSizeAndColours) {
   EXPECT_FALSE(is_white(pixels.at(320 * 87 / 100, 120)));
 }
 
-TEST(SlowPictures, ShowEdgesAndAnOutline) {
+TEST(DrawnPictures, ShowEdgesAndAnOutline) {
   Square square;
   Renderer renderer(320, 240);
   const int plain = Pixels(renderer.draw(square.scene, square.view).png).count(is_dark);
@@ -68,7 +68,7 @@ TEST(SlowPictures, ShowEdgesAndAnOutline) {
   EXPECT_GT(Pixels(renderer.draw(square.scene, square.view).png).count(is_red), 300);
 }
 
-TEST(SlowPictures, ShowWhatACloseEyeLooksAtBeforeADeepScene) {
+TEST(DrawnPictures, ShowWhatACloseEyeLooksAtBeforeADeepScene) {
   Square square;
   square.mesh = sample_meshes::together(square.mesh, sample_meshes::box({-1e3, -1e3, -3e3}, {1e3, 1e3, -1e3}));
   square.scene = square.scene_of(std::vector<double>(square.mesh.triangles.size(), 1.0));
@@ -78,7 +78,7 @@ TEST(SlowPictures, ShowWhatACloseEyeLooksAtBeforeADeepScene) {
   EXPECT_GT(pixels.count(is_red), 300);
 }
 
-TEST(SlowPictures, ShowEveryPoint) {
+TEST(DrawnPictures, ShowEveryPoint) {
   Scene scene;
   scene.point_size = 7.0;
   for (int n = 0; n < 5; ++n) scene.points.emplace_back(0.5 * (n - 2), 0.0, 0.0);
@@ -97,7 +97,7 @@ TEST(SlowPictures, ShowEveryPoint) {
   EXPECT_TRUE(is_white(pixels.at(320 * 87 / 100, 120)));                                // no legend, no bar
 }
 
-TEST(SlowPictures, ShowValuesOfCornersInTheirRange) {
+TEST(DrawnPictures, ShowValuesOfCornersInTheirRange) {
   Square square;
   square.scene.values.clear();
   square.scene.vertex_values = {20.0, 30.0, 30.0, 20.0};  // grows to the right
@@ -110,7 +110,7 @@ TEST(SlowPictures, ShowValuesOfCornersInTheirRange) {
   EXPECT_GT(right.red, right.blue + 80);
 }
 
-TEST(SlowPictures, AreTheSameBytesEveryTime) {
+TEST(DrawnPictures, AreTheSameBytesEveryTime) {
   const Square square;
   const std::string first = Renderer(320, 240).draw(square.scene, square.view).png;
   EXPECT_EQ(Renderer(320, 240).draw(square.scene, square.view).png, first);
@@ -166,7 +166,7 @@ Results stored(const std::filesystem::path& folder) {
   return results;
 }
 
-TEST(SlowPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
+TEST(DrawnPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   const TestFolder folder;
   Results results = stored(folder.path());
   const Pictures first = make_pictures(results, folder.path());
@@ -195,7 +195,7 @@ TEST(SlowPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / first.pictures[0].file));
 }
 
-TEST(SlowPictures, OfAMeshThatIsGoneAreMissedAloud) {
+TEST(DrawnPictures, OfAMeshThatIsGoneAreMissedAloud) {
   const TestFolder folder;
   const Results results = stored(folder.path());
   std::filesystem::remove(folder.path() / results.records[1].request.run / "mesh.vtp");
@@ -224,7 +224,7 @@ void keep_artefacts(RunRecord& record, const TriangleMesh& mesh, const std::file
                   folder / record.request.run);
 }
 
-TEST(SlowPictures, OfWhatARunKeptShowEachStage) {
+TEST(DrawnPictures, OfWhatARunKeptShowEachStage) {
   const TestFolder folder;
   Results results = stored(folder.path());
   keep_artefacts(results.records[0], sample_meshes::torus(12), folder.path());
@@ -248,7 +248,7 @@ TEST(SlowPictures, OfWhatARunKeptShowEachStage) {
   EXPECT_EQ(std::accumulate(counts.begin() + 80, counts.end(), 0U), 0U);
 }
 
-TEST(SlowPictures, OfAGridStandInItsRows) {
+TEST(DrawnPictures, OfAGridStandInItsRows) {
   const TestFolder folder;
   Results results;
   for (const double epsilon : {1.0, 0.5}) {

@@ -7,8 +7,8 @@
 #include <queue>
 #include <utility>
 
+#include "isobench/foundation/random.h"
 #include "isobench/methods/particles/relaxation/potential.h"
-#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::particles {
 
@@ -21,13 +21,13 @@ constexpr double least_distance = 0.5;  // from a new particle to any other, tim
 /// The random numbers of one round.
 class Bias {
  public:
-  Bias(std::uint64_t seed, std::uint64_t round) : seed_(hash(seed) ^ round) {}
+  Bias(std::uint64_t seed, std::uint64_t round) : seed_(split_mix_64(seed) ^ round) {}
   /// U(0, 1) · (E − E_ideal)/E_ideal of particle i.
   double of(std::size_t i, double energy) const {
-    return uniform(seed_, i, 0) * (energy - ideal_energy) / ideal_energy;
+    return uniform_random(seed_, i, 0) * (energy - ideal_energy) / ideal_energy;
   }
   /// The n-th number of particle i for its jitter, in [−1, 1).
-  double jitter(std::size_t i, std::uint64_t n) const { return 2.0 * uniform(seed_, i, 1 + n) - 1.0; }
+  double jitter(std::size_t i, std::uint64_t n) const { return 2.0 * uniform_random(seed_, i, 1 + n) - 1.0; }
 
  private:
   std::uint64_t seed_;

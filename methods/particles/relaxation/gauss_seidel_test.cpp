@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/random.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/particles/relaxation/potential.h"
-#include "isobench/methods/particles/sampling/random.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench::particles {
@@ -61,7 +61,8 @@ struct FramedPacking {
     const double first = frame - 0.25;
     const double width = rows - 2.0 * frame;
     const double row = std::sqrt(0.75);
-    return {low + first + width * uniform(7, n, 0), low + row * (frame - 0.5 + width * uniform(7, n, 1)), 2.5};
+    return {low + first + width * uniform_random(7, n, 0), low + row * (frame - 0.5 + width * uniform_random(7, n, 1)),
+            2.5};
   }
 };
 
@@ -130,7 +131,7 @@ TEST(GaussSeidel, LeavesAHexagonalPackingAlone) {
 
 TEST(GaussSeidel, RestoresAPerturbedPacking) {
   FramedPacking packing([](std::size_t n, const Eigen::Vector3d& x) {
-    const double angle = 2.0 * std::numbers::pi * uniform(3, n, 0);
+    const double angle = 2.0 * std::numbers::pi * uniform_random(3, n, 0);
     return Eigen::Vector3d(x + 0.3 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
   });
   ASSERT_LT(measure(packing).valence_six_percent, 70.0);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "isobench/methods/particles/sampling/random.h"
+#include "isobench/foundation/random.h"
 
 namespace isobench::particles {
 
@@ -36,8 +36,8 @@ std::vector<Candidate> candidates_around(const Vector3d& centre, double first_ra
   for (double radius = first_radius; radius < last_radius; radius *= growth) {
     for (std::uint64_t n = 0; n < points_per_sphere; ++n, ++drawn) {
       const std::uint64_t stream = 8 * drawn;
-      const double z = 2.0 * uniform(seed, index, stream) - 1.0;
-      const double angle = 2.0 * std::numbers::pi * uniform(seed, index, stream + 1);
+      const double z = 2.0 * uniform_random(seed, index, stream) - 1.0;
+      const double angle = 2.0 * std::numbers::pi * uniform_random(seed, index, stream + 1);
       const double r = std::sqrt(1.0 - z * z);
       const auto foot =
           sized.surface().project(centre + radius * Vector3d(r * std::cos(angle), r * std::sin(angle), z));

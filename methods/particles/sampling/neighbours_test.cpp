@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "isobench/methods/particles/sampling/random.h"
+#include "isobench/foundation/random.h"
 
 namespace isobench::particles {
 namespace {
@@ -20,10 +20,11 @@ struct Cloud {
 Cloud random_cloud(std::size_t count) {
   Cloud cloud;
   for (std::size_t n = 0; n < count; ++n) {
-    const double octave = std::floor(5.0 * uniform(7, n, 3));
+    const double octave = std::floor(5.0 * uniform_random(7, n, 3));
     const double size = 20.0 * std::exp2(octave - 4.0);
-    cloud.points.emplace_back(size * uniform(7, n, 0), size * uniform(7, n, 1), size * uniform(7, n, 2));
-    cloud.reach.push_back(0.15 * std::exp2(octave) * (0.7 + 0.6 * uniform(7, n, 4)));
+    cloud.points.emplace_back(size * uniform_random(7, n, 0), size * uniform_random(7, n, 1),
+                              size * uniform_random(7, n, 2));
+    cloud.reach.push_back(0.15 * std::exp2(octave) * (0.7 + 0.6 * uniform_random(7, n, 4)));
   }
   return cloud;
 }

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <optional>
 
+#include "isobench/foundation/random.h"
 #include "isobench/methods/mesh/morton.h"
 #include "isobench/methods/particles/sampling/neighbours.h"
-#include "isobench/methods/particles/sampling/random.h"
 
 namespace isobench::particles {
 
@@ -41,11 +41,12 @@ std::vector<Eigen::Vector3d> draw_candidates(const Isosurface& surface, const Tr
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
       // Stratified: one candidate in each of `count` equal shares of the ideal number, so that no part stays empty.
-      const double at = sums.back() * (static_cast<double>(n) + uniform(seed, n, 0)) / static_cast<double>(count);
+      const double at =
+          sums.back() * (static_cast<double>(n) + uniform_random(seed, n, 0)) / static_cast<double>(count);
       const auto above = std::upper_bound(sums.begin(), sums.end(), at);
       const auto t = std::min<std::size_t>(static_cast<std::size_t>(above - sums.begin()) - 1, sums.size() - 2);
-      const double root = std::sqrt(uniform(seed, n, 1));
-      const double v = root * uniform(seed, n, 2);
+      const double root = std::sqrt(uniform_random(seed, n, 1));
+      const double v = root * uniform_random(seed, n, 2);
       const Triangle& triangle = mesh.triangles[t];
       drawn[n] = surface.project((1.0 - root) * mesh.vertices[triangle[0]] + (root - v) * mesh.vertices[triangle[1]] +
                                  v * mesh.vertices[triangle[2]]);

@@ -157,9 +157,9 @@ struct Agreement {
 
 void PrintTo(const Agreement& expected, std::ostream* out) { *out << expected.volume; }
 
-class FootPointsVolumesSlow : public testing::TestWithParam<Agreement> {};
+class FootPointsOnVolumes : public testing::TestWithParam<Agreement> {};
 
-TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
+TEST_P(FootPointsOnVolumes, GiveTheSizesOfShrinkingBalls) {
   const char* root = std::getenv("ISOBENCH_DATA");
   if (root == nullptr || !std::filesystem::is_directory(std::filesystem::path(root) / GetParam().volume)) {
     GTEST_SKIP() << "ISOBENCH_DATA names no folder with " << GetParam().volume;
@@ -193,7 +193,7 @@ TEST_P(FootPointsVolumesSlow, GiveTheSizesOfShrinkingBalls) {
 // The tolerances as published are one voxel, and 1.2 on the pelvis: the axis of its wide bones ends in ridges with
 // radii of 4 to 12 voxels, where the angle falls to 5 to 20°, below the published threshold. With the ends, a quarter
 // of a voxel.
-INSTANTIATE_TEST_SUITE_P(RealData, FootPointsVolumesSlow,
+INSTANTIATE_TEST_SUITE_P(RealData, FootPointsOnVolumes,
                          testing::Values(Agreement{"brain", 1.0}, Agreement{"pelvis", 1.2}, Agreement{"skull", 1.0},
                                          Agreement{"vessel", 1.0}),
                          [](const auto& chosen) { return chosen.param.volume; });

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Phantoms, FeatureSizeOfPhantom,
                            return name;
                          });
 
-TEST(FeatureSizeSlow, EveryPhantomWithAClosedFormIsTested) {
+TEST(FeatureSizeOfPhantoms, EveryPhantomWithAClosedFormIsTested) {
   std::vector<std::string> known;
   for (const Phantom& shape : phantoms()) {
     if (shape.feature_size) known.push_back(shape.name);
@@ -86,7 +86,7 @@ TEST(FeatureSizeSlow, EveryPhantomWithAClosedFormIsTested) {
 }
 
 // Near the tips of the last branches, the nearest axis is that of the branch itself, so λ is its radius.
-TEST(FeatureSizeSlow, OfTheVesselTreeIsTheRadiusOfItsTips) {
+TEST(FeatureSizeOfPhantoms, OfTheVesselTreeIsTheRadiusOfItsTips) {
   const Phantom& shape = phantom("vessel-tree");
   const Estimate estimate(shape, 128);
   const std::vector<VesselSegment>& tree = vessel_tree();
@@ -113,7 +113,7 @@ TEST(FeatureSizeSlow, OfTheVesselTreeIsTheRadiusOfItsTips) {
 }
 
 // There is no closed form. The reference is the same shape on a lattice twice as fine.
-TEST(FeatureSizeSlow, GyroidBallAgreesWithATwiceRefinedReference) {
+TEST(FeatureSizeOfPhantoms, GyroidBallAgreesWithATwiceRefinedReference) {
   const Phantom& shape = phantom("gyroid-ball");
   const Estimate coarse(shape, 128);
   const Estimate fine(shape, 256);

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-namespace isobench::particles {
+namespace isobench {
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
-inline std::uint64_t hash(std::uint64_t x) {
+inline std::uint64_t split_mix_64(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15U;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
@@ -14,8 +14,8 @@ inline std::uint64_t hash(std::uint64_t x) {
 }
 
 /// Uniform in [0, 1), determined by (seed, index, stream).
-inline double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t stream) {
-  return static_cast<double>(hash(hash(hash(seed) ^ index) ^ stream) >> 11) * 0x1p-53;
+inline double uniform_random(std::uint64_t seed, std::uint64_t index, std::uint64_t stream) {
+  return static_cast<double>(split_mix_64(split_mix_64(split_mix_64(seed) ^ index) ^ stream) >> 11) * 0x1p-53;
 }
 
-}  // namespace isobench::particles
+}  // namespace isobench
