@@ -42,8 +42,8 @@ struct Jet {
 /// f = F − c (inside above) or c − F (inside below), positive inside the object, and its zero set, the surface.
 class Isosurface {
  public:
-  /// Takes the samples over. F is computed in single precision: this is where samples of other types become floats,
-  /// once; floats are moved, not copied. Memory: 4 bytes a node, and the samples as given until they are converted.
+  /// Takes the samples over. The coefficients of F are floats: samples of other types are rounded to float here, once;
+  /// floats are moved, not copied. Memory: 4 bytes a node, and the samples as given until they are converted.
   /// Throws DataError if a sample is not finite or too large for a float, if there are fewer than 4 nodes along an
   /// axis, if c is outside the range of the samples (the message says the range), or if F never crosses c at the nodes.
   Isosurface(Volume volume, double isovalue, Inside inside = Inside::above, Kernel kernel = Kernel::bspline);

@@ -20,7 +20,7 @@ std::size_t bytes_of(SampleType type);
 std::string to_string(SampleType type);  ///< "u8", "i16", "f32" and so on
 
 /// The smallest floating-point type that holds every value of T exactly; double for 64-bit integers, too, which it
-/// holds exactly up to 2^53. A step whose result need not be of type T gives this type.
+/// holds exactly up to 2^53. Steps with results that T cannot hold give this type.
 template <class T>
 using RealOf = std::conditional_t<std::is_same_v<T, float> || (std::is_integral_v<T> && sizeof(T) <= 2), float, double>;
 

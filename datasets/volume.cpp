@@ -40,7 +40,7 @@ void check_finite_samples(const Lattice& lattice, const std::vector<T>& samples)
 /// The smallest and the largest sample.
 template <class T>
 std::pair<T, T> extremes(const Lattice& lattice, const std::vector<T>& samples) {
-  if (samples.empty()) throw DataError("the volume has no samples; give one that has");
+  if (samples.empty()) throw DataError("the volume has no samples; give one with samples");
   check_finite_samples(lattice, samples);
   std::pair<T, T> range{samples.front(), samples.front()};
   for (const T sample : samples) {

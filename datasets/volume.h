@@ -45,7 +45,7 @@ struct Volume {
   Samples samples;
 };
 
-/// A volume of floats: what phantoms give, what smoothing, resampling and distances give, and what F is made from.
+/// A volume of floats: the result of phantoms, smoothing, resampling and distances, and the input of F.
 struct FloatVolume {
   Lattice lattice;
   std::vector<float> samples;

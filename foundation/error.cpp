@@ -78,7 +78,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   std::string best;
-  // If more than a third of the letters differ, it is another word and no slip.
+  // If more than a third of the letters differ (and more than two), it is another word, not a misspelling.
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const bool extends = name.size() >= 3 && candidate.starts_with(name);

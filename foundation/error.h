@@ -18,7 +18,7 @@ struct Place {
 std::string to_string(const Place& place);
 
 /// The text in a form that is safe in a terminal, a table and JSON: control characters and bytes that are not UTF-8
-/// become \xNN. Longer texts than 1000 bytes lose their middle.
+/// become \xNN. A text longer than 1000 bytes loses its middle.
 std::string printable(const std::string& text);
 
 /// Base of all errors that the user sees. what() is the whole message, made printable() because it may quote files.

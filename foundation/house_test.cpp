@@ -1,6 +1,6 @@
-// The rules of the house (docs/ARCHITECTURE.md), held against the tree that this test was built from: includes run one
-// way from floor to floor, folders do not include each other in a circle, no folder outgrows a reader's memory, and
-// every test that a build file gives a label exists.
+// Checks the tree that this test was built from against the rules of docs/ARCHITECTURE.md: headers are included only
+// from the same floor or from floors below, folders do not include each other in a circle, no folder has more than 30
+// files, and every test to which a build file gives a label exists.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -65,8 +65,8 @@ std::optional<std::vector<std::string>> folder_cycle(const Includes& tree) {
       if (folder_of(included) != folder_of(file)) graph[folder_of(file)].insert(folder_of(included));
     }
   }
-  // What includes nothing that is left can be in no circle; taken away again and again, only circles and what leads to
-  // them stay.
+  // A folder that includes none of the others is in no circle. Remove such folders until there are none: only circles
+  // and folders that lead to them stay.
   for (bool changed = true; changed;) {
     changed = false;
     for (auto folder = graph.begin(); folder != graph.end();) {
@@ -101,7 +101,7 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
-/// The tests that a CMakeLists.txt gives a label, as "Suite.Name" or "Suite.*", without the prefix of parameters.
+/// The tests to which a CMakeLists.txt gives a label, as "Suite.Name" or "Suite.*". "Prefix/" of parameters is dropped.
 std::set<std::string> labelled_tests(const std::string& cmake) {
   std::set<std::string> named;
   std::istringstream words(cmake);
@@ -142,7 +142,7 @@ std::vector<std::string> files_of_the_tree() {
   return files;
 }
 
-/// What a source includes of ours; `unprefixed` gets what is included in quotes without "isobench/".
+/// The files of ours that each file includes; `unprefixed` gets the includes in quotes without "isobench/".
 Includes includes_of(const std::vector<std::string>& files, std::vector<std::string>& unprefixed) {
   const std::string start = "#include \"";
   const std::string prefix = "isobench/";
@@ -209,7 +209,7 @@ TEST_F(House, FoldersIncludeEachOtherInNoCircle) {
   EXPECT_EQ(folder_cycle(includes_).value_or(std::vector<std::string>()), std::vector<std::string>());
 }
 
-// A test that was renamed in its source alone would leave its label's list without a sound.
+// A test that is renamed only in its source would lose its label unnoticed.
 TEST_F(House, EveryTestThatIsGivenALabelExists) {
   for (const std::string& floor : floors()) {
     std::set<std::string> known;

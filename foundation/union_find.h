@@ -21,7 +21,7 @@ class UnionFind {
     }
     return n;
   }
-  /// Several threads may call this at once as long as no set that one of them reads is changed by another.
+  /// Several threads may call this at once if no two of them use the same set.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

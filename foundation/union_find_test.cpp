@@ -12,7 +12,7 @@ TEST(UnionFind, TheSmallestMemberRepresentsItsSet) {
   UnionFind sets(5);
   sets.unite(4, 2);
   sets.unite(3, 4);
-  sets.unite(3, 2);  // they are one already
+  sets.unite(3, 2);  // already one set
   EXPECT_EQ(sets.find(0), 0U);
   for (const std::uint32_t n : {2U, 3U, 4U}) EXPECT_EQ(sets.find(n), 2U);
   EXPECT_TRUE(sets.is_root(1));

@@ -1,5 +1,5 @@
-// If a volume is stretched, rotated and moved, its surface must be, too. Tested for the whole way from a file of every
-// format to the mesh in millimetres.
+// If a volume is stretched, rotated and moved, its surface must be, too. The tests cover the whole way from a file of
+// each format to the mesh in millimetres.
 
 #include <gtest/gtest.h>
 
@@ -41,10 +41,10 @@ void expect_same_surface(const std::string& format, const Volume& volume, const 
   ASSERT_GT(plain.triangles.size(), 50U);
   ASSERT_EQ(found.triangles, plain.triangles) << format;
   for (std::size_t v = 0; v < plain.vertices.size(); ++v) {
-    // NIfTI stores its orientation in single precision, which gives 1e-5 mm at 60 mm from the origin.
+    // NIfTI stores its orientation in single precision, which gives errors of 1e-5 mm at 60 mm from the origin.
     ASSERT_LT((found.vertices[v] - stated_place(plain.vertices[v], direction, first)).norm(), 1e-5) << format;
   }
-  // The enclosed volume is that of the plain mesh times the volume of a voxel, for every orientation.
+  // For every orientation, the enclosed volume is the plain mesh's volume times the volume of a voxel.
   EXPECT_NEAR(mesh_facts(found).volume, mesh_facts(plain).volume * spacing.prod(), 1e-4) << format;
 }
 

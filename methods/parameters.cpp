@@ -105,7 +105,7 @@ void Parameters::set(const ParameterSchema& schema, const std::string& name, con
                      const Place& place) {
   check(find_spec(schema, name, place), value, place);
   values_[name] = value;
-  // −0 becomes 0: they are equal, but differ as text, by which parameters are compared.
+  // −0 becomes 0: the two are equal, but parameters are compared as text.
   if (auto* number = std::get_if<double>(&values_[name])) *number += 0.0;
 }
 
@@ -117,7 +117,9 @@ double Parameters::number(const std::string& name) const { return get<double>(va
 
 int Parameters::integer(const std::string& name) const {
   const double value = number(name);
-  if (value != std::floor(value)) throw std::logic_error("the method's schema does not declare '" + name + "' integer");
+  if (value != std::floor(value)) {
+    throw std::logic_error("the method's schema does not declare '" + name + "' as an integer");
+  }
   return static_cast<int>(value);
 }
 

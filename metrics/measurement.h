@@ -1,4 +1,4 @@
-// Everything that is measured of one mesh, by one call: the figures and histograms that the metrics declare.
+// One call measures everything of a mesh: the figures and histograms that the metrics declare.
 #pragma once
 
 #include <cstdint>
@@ -50,8 +50,8 @@ class Measurement {
   Histogram& histogram_at(std::size_t index) { return histograms_[index]; }
 
  private:
-  std::vector<double> values_;          ///< one a declared figure; NaN: not measured
-  std::vector<Histogram> histograms_;   ///< one a declared histogram
+  std::vector<double> values_;          ///< one for each declared figure; NaN: not measured
+  std::vector<Histogram> histograms_;   ///< one for each declared histogram
   std::vector<std::uint16_t> unknown_;  ///< figures, sorted
 };
 
@@ -63,8 +63,8 @@ struct MeasuredAgainst {
   int reference_k = default_reference_k;
 };
 
-/// Measures a mesh by every metric that has what it needs, and adds the arrays that a reader may want to see to it:
-/// "radius_ratio" a triangle; "valence", "h0" and "distance" a vertex. Shared parts, such as the mesh's edges, are
+/// Measures a mesh by every metric that has what it needs, and adds data arrays for viewers to the mesh: "radius_ratio"
+/// for each triangle; "valence", "h0" and "distance" for each vertex. Shared parts, such as the mesh's edges, are
 /// computed once.
 /// Throws DataError for a mesh without triangles, indices out of range or coordinates that are not finite or beyond
 /// 1e12 mm; Cancelled.

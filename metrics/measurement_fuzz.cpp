@@ -1,4 +1,4 @@
-// Measuring a mesh of any kind.
+// Fuzz target: measures any triangle soup.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -50,7 +50,7 @@ TEST(Measurement, AllFiguresOfATorus) {
   // The longest edges are the diagonals of the outer rim's quads: 1.41 mm.
   EXPECT_NEAR(measurement.number("edge_over_h0_max"), 1.41 / 1.2, 0.01);
   EXPECT_GT(measurement.number("distance_mean"), 0.0);
-  EXPECT_LT(measurement.number("distance_max"), 0.1) << "the spline moves the torus by κ/6 voxel² a curvature";
+  EXPECT_LT(measurement.number("distance_max"), 0.1) << "the spline moves the torus by (κ1 + κ2)/6 voxel²";
 
   EXPECT_EQ(mesh.triangle_data.at("radius_ratio").size(), 6400U);
   EXPECT_EQ(mesh.vertex_data.at("valence"), std::vector<double>(3200, 6.0));
@@ -104,6 +104,20 @@ TEST(Measurement, TellsNotMeasuredFromUnknown) {
   measurement.set("euler", -14.0);
   EXPECT_EQ(measurement.figure("euler"), -14.0);
   EXPECT_THROW(measurement.number("eulre"), std::logic_error);
+}
+
+TEST(Measurement, AFigureThatAMeshLacksIsDeclaredAsSuch) {
+  TriangleMesh collapsed = torus_mesh();
+  collapsed.triangles = {{0, 0, 1}};
+  Monitor monitor;
+  const Measurement measurement = measure(collapsed, torus_surface(), SizingField(1.2), 1, monitor);
+  std::size_t missing = 0;
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    if (measurement.at(n)) continue;
+    ++missing;
+    EXPECT_FALSE(declared_figures()[n].unmeasured.empty()) << declared_figures()[n].name;
+  }
+  EXPECT_GT(missing, 15U);
 }
 
 void expect_refused(TriangleMesh mesh, const std::string& part) {

@@ -35,6 +35,9 @@ inline std::size_t edge_end(const std::vector<HalfEdge>& sides, std::size_t begi
   return end;
 }
 
+/// Why a mesh has no figures of its edges, as FigureDeclaration::unmeasured says it.
+inline constexpr const char* no_edges = "all triangles of the mesh have collapsed to an edge or a point";
+
 /// The distinct edges, each as (low, high), and which edge each side of a triangle is.
 struct MeshEdges {
   static constexpr std::uint32_t none = 0xffffffffU;

@@ -17,11 +17,11 @@
 
 namespace isobench {
 
-/// How many times finer than the data's lattice the surface's own topology is counted, unless another number is asked
-/// for: sheets of a third of a voxel survive.
+/// The default of reference_k: the surface's own topology is counted on a lattice this many times finer than the
+/// data's. With 3, sheets of a third of a voxel survive.
 inline constexpr int default_reference_k = 3;
 
-/// What a metric needs besides the mesh. Where that is not given, the metric's figures are "not measured".
+/// What a metric needs besides the mesh. If that is not given, the metric's figures are "not measured".
 enum class Needs {
   mesh,     ///< nothing
   surface,  ///< the isosurface F = c
@@ -34,7 +34,7 @@ enum class Kind {
   integer,  ///< a whole number of either sign
 };
 
-/// When `isobench compare` takes two values of a figure for the same.
+/// When `isobench compare` takes two values of a figure as equal.
 enum class Compared {
   within_tolerance,  ///< they differ by no more than --tolerance, relative to the larger one
   exactly,           ///< they are equal, whatever the tolerance
@@ -42,19 +42,19 @@ enum class Compared {
 
 enum class Better { neither, larger, smaller };
 
-/// Places of FigureDeclaration::column.
+/// Values of FigureDeclaration::column.
 inline constexpr int no_column = 0;
-inline constexpr int cost_columns = 500;  ///< figures before it stand left of the columns about seconds and memory
+inline constexpr int cost_columns = 500;  ///< smaller numbers are left of the columns of seconds and memory
 inline constexpr int last_column = 1000;
 
 struct FigureDeclaration {
-  std::string name{};        ///< lower case and underscores; of all metrics only this one may use it
+  std::string name{};        ///< a-z, 0-9 and _; unique among the figures of all metrics
   std::string unit{};        ///< "mm", "%"; "" for none
   std::string definition{};  ///< one or more sentences
   Kind kind = Kind::number;
   Compared compared = Compared::within_tolerance;
   Better better = Better::neither;
-  /// Which meshes have no such figure, to go on from "Not measured where": "the mesh is not closed"; "" for none.
+  /// Which meshes have no such figure; follows "Not measured where", for example "the mesh is not closed". "" for none.
   std::string unmeasured{};
   /// Columns of results.csv are sorted by this number, then by the order of declared_figures(). The columns that the
   /// first versions had keep their numbers; a new one has last_column. no_column: not in results.csv.
@@ -80,28 +80,28 @@ struct Metric {
   Needs needs = Needs::mesh;
   /// The monitor's stage that its seconds are booked to; "" for a stage of the metric's name.
   std::string stage{};
-  /// Every run.json has these figures: one that lacks any is damaged. Leave it false for a new metric: records that
-  /// are older than it are read, and its figures are unknown there.
+  /// Every run.json has these figures; a record that lacks one is damaged. Leave it false for a new metric: in records
+  /// that are older than the metric its figures are unknown.
   bool in_every_record = false;
   std::vector<FigureDeclaration> figures{};
   std::vector<HistogramDeclaration> histograms{};
-  /// Sets the figures that it can measure; the others stay "not measured". Called only where what it needs is given.
+  /// Sets the figures that it can measure; the others stay "not measured". Called only if `needs` is given.
   void (*measure)(MetricInput& input, MetricOutput& output) = nullptr;
 };
 
 /// All metrics, in the order of their first columns in results.csv, then of their names.
 const std::vector<Metric>& metrics();
 
-/// The same for any list. Throws std::logic_error where a figure or histogram is declared twice, or a declaration
-/// lacks its definition.
+/// Sorts any list in that order. Throws std::logic_error if a figure or histogram is declared twice, or a declaration
+/// is incomplete.
 std::vector<Metric> sorted_and_checked(std::vector<Metric> metrics);
 
 /// The figures of all metrics, in the metrics' order.
 const std::vector<FigureDeclaration>& declared_figures();
 const std::vector<HistogramDeclaration>& declared_histograms();
 
-/// Where a figure stands in declared_figures(). Throws std::logic_error, with the nearest name, for one that no metric
-/// declares: a name in the program's own code is misspelt.
+/// The index of a figure in declared_figures(). Throws std::logic_error, with the nearest name, if no metric declares
+/// it: the name is misspelt in the program's own code.
 std::size_t figure_index(std::string_view name);
 std::size_t histogram_index(std::string_view name);
 const FigureDeclaration& declared_figure(std::string_view name);
@@ -110,7 +110,7 @@ const FigureDeclaration& declared_figure(std::string_view name);
 const Metric& metric_of_figure(std::size_t index);
 const Metric& metric_of_histogram(std::size_t index);
 
-/// The definition with what it says about meshes that have no such figure.
+/// The definition, followed by "Not measured where …" if some meshes have no such figure.
 std::string full_definition(const FigureDeclaration& figure);
 
 }  // namespace isobench

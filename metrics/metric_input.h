@@ -11,8 +11,8 @@
 
 namespace isobench {
 
-/// A mesh with what it is measured against. Parts that several metrics need are computed when first asked for, and
-/// kept; one metric is measured at a time, so there is no locking.
+/// A mesh with what it is measured against. Parts that several metrics need are computed at the first call and kept.
+/// Without locks: metrics run one after the other.
 class MetricInput {
  public:
   /// Keeps references.
@@ -49,7 +49,7 @@ class MetricOutput {
   /// std::nullopt, or a number that is not finite, leaves the figure "not measured".
   void set(std::string_view figure, std::optional<double> value);
   void set(std::string_view histogram, Histogram counts);
-  /// Arrays for a reader to look at; they are stored with the mesh.
+  /// Data arrays for viewers; they are stored with the mesh.
   void add_vertex_data(const std::string& name, std::vector<double> values);
   void add_triangle_data(const std::string& name, std::vector<double> values);
 

@@ -32,7 +32,7 @@ std::string complaint(const std::vector<Metric>& all) {
 }
 
 TEST(Metrics, DeclareEveryFigureOnceWithADefinition) {
-  EXPECT_EQ(complaint(metrics()), "");  // throws already where the registry is at fault
+  EXPECT_EQ(complaint(metrics()), "");  // metrics() itself throws if the registry is wrong
   std::set<std::string> names;
   for (const FigureDeclaration& figure : declared_figures()) {
     EXPECT_TRUE(names.insert(figure.name).second) << figure.name << " is declared twice";

@@ -8,7 +8,7 @@
 
 namespace isobench {
 
-/// The plane z = 10.25 in a lattice of spacing (1, 2, 0.5), inside below it: splines reproduce a linear function.
+/// The plane z = 10.25 in a lattice of spacing (1, 2, 0.5), the object below it. Splines reproduce a linear function.
 inline Isosurface plane() {
   FloatVolume volume;
   volume.lattice.size = {21, 11, 41};

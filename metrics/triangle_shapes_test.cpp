@@ -60,8 +60,7 @@ TEST(RadiusRatio, IsTheReciprocalOfVerdicts) {
     const double ours = radius_ratio(corners[0], corners[1], corners[2]);
     const double verdict = 1.0 / radius_ratio_by_verdict(corners);
     ASSERT_NEAR(ours, verdict, 1e-10);
-    // Relative agreement, too, or slivers would not be tested: of areas 10^-7 of the squared base, rounding of the
-    // edges leaves 9 digits.
+    // Slivers need a relative comparison, too. With areas of 10^-7 of the squared base, 9 digits survive rounding.
     ASSERT_NEAR(ours / verdict, 1.0, 1e-8);
     smallest = std::min(smallest, ours);
   }

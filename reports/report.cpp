@@ -18,7 +18,7 @@ namespace isobench {
 
 namespace {
 
-// Nobody looks at more than these, and each takes a tenth of a second.
+// Nobody looks at more plots, and each takes a tenth of a second.
 constexpr std::size_t most_plots = 120;
 
 // Makes the plots and pictures that are not there yet.

@@ -97,7 +97,7 @@ std::string markdown_tables(const Results& results) {
   if (!seed_table(arrange_runs(results)).empty()) {
     text +=
         "In a row with several seeds or repeats, a figure is the median of the finished runs, followed by their range "
-        "(smallest–largest).\n\n";
+        "(smallest–largest). Meshes that are not closed manifolds count only if all of the row are so.\n\n";
   }
   for (const Table& table : all_tables(results)) text += markdown(table) + "\n";
   text += claims_section(results);

@@ -47,7 +47,7 @@ inline Eigen::Vector3d world_of(int i, int j, int k) {
   return origin + oblique() * spacing.cwiseProduct(Eigen::Vector3d(i, j, k));
 }
 
-/// The samples as floats, for what does not look at their type.
+/// The samples as floats, for tests that do not look at their type.
 inline std::vector<float> floats_of(const Volume& volume) { return as_float(volume).samples; }
 
 /// Each node's sample and world position. 1e-5 mm: NIfTI keeps its orientation in single precision.
@@ -68,7 +68,7 @@ inline void expect_oblique(const Volume& volume) {
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-5);
 }
 
-/// The message names the file, and is one sentence without a line break.
+/// Expects a message that has `part`, names the file, and is one sentence without a line break.
 inline void expect_data_error(const std::filesystem::path& path, const std::string& part) {
   try {
     read_volume(path);

@@ -113,8 +113,7 @@ Volume read_metaimage(const std::filesystem::path& path) {
   std::error_code error;
   std::uintmax_t file_bytes = std::filesystem::file_size(data_path, error);
   if (error) file_bytes = 0;  // opening the file throws the error
-  // A HeaderSize of -1 means that the data are the last bytes of the file. One beyond the file counts as the file's
-  // end.
+  // A HeaderSize of -1 means that the data are the last bytes of the file. One beyond the file's end counts as its end.
   const std::uintmax_t offset = skip >= 0.0
                                     ? static_cast<std::uintmax_t>(std::min(skip, static_cast<double>(file_bytes)))
                                     : file_bytes - std::min(bytes, file_bytes);

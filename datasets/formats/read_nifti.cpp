@@ -166,7 +166,7 @@ Eigen::Matrix3d steps_of(const NiftiHeader& header) {
   voxel = voxel.cwiseAbs();
   if (header.sform > 0) return header.srow.leftCols<3>();
   if (header.qform <= 0) return voxel.asDiagonal();
-  // A unit quaternion with real part ≥ 0; the real part is not stored. Rounding may make the rest longer than 1.
+  // A unit quaternion with real part ≥ 0; the real part is not stored. Rounding may make the stored part longer than 1.
   const double rest = 1.0 - header.quaternion.squaredNorm();
   Eigen::Quaterniond q(std::sqrt(std::max(rest, 0.0)), header.quaternion[0], header.quaternion[1],
                        header.quaternion[2]);

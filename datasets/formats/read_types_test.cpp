@@ -10,99 +10,37 @@
 namespace isobench {
 namespace {
 
-/// What the formats call the type T.
+/// What the formats call a type of samples.
+struct Names {
+  const char* nrrd;
+  const char* meta;
+  const char* vti;
+  const char* inrimage;
+  std::int16_t nifti;
+  SampleType type;
+};
 template <class T>
-struct Names;
+constexpr Names names = {};
 template <>
-struct Names<std::uint8_t> {
-  static constexpr const char* nrrd = "unsigned char";
-  static constexpr const char* meta = "MET_UCHAR";
-  static constexpr const char* vti = "UInt8";
-  static constexpr const char* inrimage = "unsigned fixed";
-  static constexpr std::int16_t nifti = 2;
-  static constexpr SampleType type = SampleType::u8;
-};
+constexpr Names names<std::uint8_t> = {"unsigned char", "MET_UCHAR", "UInt8", "unsigned fixed", 2, SampleType::u8};
 template <>
-struct Names<std::int8_t> {
-  static constexpr const char* nrrd = "signed char";
-  static constexpr const char* meta = "MET_CHAR";
-  static constexpr const char* vti = "Int8";
-  static constexpr const char* inrimage = "signed fixed";
-  static constexpr std::int16_t nifti = 256;
-  static constexpr SampleType type = SampleType::i8;
-};
+constexpr Names names<std::int8_t> = {"signed char", "MET_CHAR", "Int8", "signed fixed", 256, SampleType::i8};
 template <>
-struct Names<std::uint16_t> {
-  static constexpr const char* nrrd = "ushort";
-  static constexpr const char* meta = "MET_USHORT";
-  static constexpr const char* vti = "UInt16";
-  static constexpr const char* inrimage = "unsigned fixed";
-  static constexpr std::int16_t nifti = 512;
-  static constexpr SampleType type = SampleType::u16;
-};
+constexpr Names names<std::uint16_t> = {"ushort", "MET_USHORT", "UInt16", "unsigned fixed", 512, SampleType::u16};
 template <>
-struct Names<std::int16_t> {
-  static constexpr const char* nrrd = "short";
-  static constexpr const char* meta = "MET_SHORT";
-  static constexpr const char* vti = "Int16";
-  static constexpr const char* inrimage = "signed fixed";
-  static constexpr std::int16_t nifti = 4;
-  static constexpr SampleType type = SampleType::i16;
-};
+constexpr Names names<std::int16_t> = {"short", "MET_SHORT", "Int16", "signed fixed", 4, SampleType::i16};
 template <>
-struct Names<std::uint32_t> {
-  static constexpr const char* nrrd = "uint32";
-  static constexpr const char* meta = "MET_UINT";
-  static constexpr const char* vti = "UInt32";
-  static constexpr const char* inrimage = "unsigned fixed";
-  static constexpr std::int16_t nifti = 768;
-  static constexpr SampleType type = SampleType::u32;
-};
+constexpr Names names<std::uint32_t> = {"uint32", "MET_UINT", "UInt32", "unsigned fixed", 768, SampleType::u32};
 template <>
-struct Names<std::int32_t> {
-  static constexpr const char* nrrd = "int";
-  static constexpr const char* meta = "MET_INT";
-  static constexpr const char* vti = "Int32";
-  static constexpr const char* inrimage = "signed fixed";
-  static constexpr std::int16_t nifti = 8;
-  static constexpr SampleType type = SampleType::i32;
-};
+constexpr Names names<std::int32_t> = {"int", "MET_INT", "Int32", "signed fixed", 8, SampleType::i32};
 template <>
-struct Names<float> {
-  static constexpr const char* nrrd = "float";
-  static constexpr const char* meta = "MET_FLOAT";
-  static constexpr const char* vti = "Float32";
-  static constexpr const char* inrimage = "float";
-  static constexpr std::int16_t nifti = 16;
-  static constexpr SampleType type = SampleType::f32;
-};
+constexpr Names names<float> = {"float", "MET_FLOAT", "Float32", "float", 16, SampleType::f32};
 template <>
-struct Names<double> {
-  static constexpr const char* nrrd = "double";
-  static constexpr const char* meta = "MET_DOUBLE";
-  static constexpr const char* vti = "Float64";
-  static constexpr const char* inrimage = "float";
-  static constexpr std::int16_t nifti = 64;
-  static constexpr SampleType type = SampleType::f64;
-};
+constexpr Names names<double> = {"double", "MET_DOUBLE", "Float64", "float", 64, SampleType::f64};
 template <>
-struct Names<std::int64_t> {
-  static constexpr const char* nrrd = "int64";
-  static constexpr const char* meta = "MET_LONG_LONG";
-  static constexpr const char* vti = "Int64";
-  static constexpr const char* inrimage = "signed fixed";
-  static constexpr std::int16_t nifti = 1024;
-  static constexpr SampleType type = SampleType::i64;
-};
+constexpr Names names<std::int64_t> = {"int64", "MET_LONG_LONG", "Int64", "signed fixed", 1024, SampleType::i64};
 template <>
-struct Names<std::uint64_t> {
-  static constexpr const char* nrrd = "uint64";
-  static constexpr const char* meta = "MET_ULONG_LONG";
-  static constexpr const char* vti = "UInt64";
-  static constexpr const char* inrimage = "unsigned fixed";
-  static constexpr std::int16_t nifti = 1280;
-  static constexpr SampleType type = SampleType::u64;
-};
+constexpr Names names<std::uint64_t> = {"uint64", "MET_ULONG_LONG", "UInt64", "unsigned fixed", 1280, SampleType::u64};
 
 /// The extremes of the type, values that a float or a double would round, and small numbers.
 template <class T>
@@ -137,7 +75,7 @@ class ReadTypes : public testing::Test {
  protected:
   void expect_kept(const std::filesystem::path& path) { expect_kept(read_volume(path), path.filename().string()); }
   void expect_kept(const Volume& volume, const std::string& name) {
-    EXPECT_EQ(volume.samples.type(), Names<T>::type) << name;
+    EXPECT_EQ(volume.samples.type(), names<T>.type) << name;
     EXPECT_TRUE(volume.samples == Samples(values)) << name;
     const std::size_t taken =
         volume.samples.visit([](const auto& samples) { return samples.capacity() * sizeof(samples[0]); });
@@ -145,7 +83,7 @@ class ReadTypes : public testing::Test {
   }
   std::string vti(const std::string& numbers) const {
     std::string file = vti_text(numbers);
-    return file.replace(file.find("Float32"), 7, Names<T>::vti);
+    return file.replace(file.find("Float32"), 7, names<T>.vti);
   }
 
   TestFolder folder;
@@ -160,7 +98,7 @@ using AllTypes = testing::Types<std::uint8_t, std::int8_t, std::uint16_t, std::i
 TYPED_TEST_SUITE(ReadTypes, AllTypes);
 
 TYPED_TEST(ReadTypes, Nrrd) {
-  const std::string type = Names<TypeParam>::nrrd;
+  const std::string type = names<TypeParam>.nrrd;
   this->expect_kept(this->folder.write("raw.nrrd", nrrd_header(type, "raw") + "\n" + this->bytes));
   this->expect_kept(this->folder.write("gz.nrrd", nrrd_header(type, "gzip") + "\n" + deflated(this->bytes, true)));
   this->expect_kept(this->folder.write("text.nrrd", nrrd_header(type, "ascii") + "\n" + this->text));
@@ -170,7 +108,7 @@ TYPED_TEST(ReadTypes, Nrrd) {
 }
 
 TYPED_TEST(ReadTypes, MetaImage) {
-  const std::string fields = fmt::format("ElementType = {}\nElementDataFile = LOCAL", Names<TypeParam>::meta);
+  const std::string fields = fmt::format("ElementType = {}\nElementDataFile = LOCAL", names<TypeParam>.meta);
   this->expect_kept(this->folder.write("raw.mha", metaimage_header(fields) + this->bytes));
   this->expect_kept(
       this->folder.write("big.mha", metaimage_header("CompressedData = True\nElementByteOrderMSB = True\n" + fields) +
@@ -183,7 +121,7 @@ TYPED_TEST(ReadTypes, Nifti) {
     // A slope of 1 and an intercept of 0 are what most programs write; labels must pass unchanged.
     for (const float slope : {0.0F, 1.0F}) {
       NiftiHeader header(other);
-      header.put<std::int16_t>(70, Names<TypeParam>::nifti);
+      header.put<std::int16_t>(70, names<TypeParam>.nifti);
       header.put<std::int16_t>(72, 8 * sizeof(TypeParam));
       header.put<float>(112, slope);
       this->expect_kept(this->folder.write("volume.nii", header.bytes() + (other ? this->swapped : this->bytes)));
@@ -202,14 +140,14 @@ TYPED_TEST(ReadTypes, Vti) {
 }
 
 TYPED_TEST(ReadTypes, Inrimage) {
-  const std::string type = fmt::format("TYPE={}\nPIXSIZE={} bits", Names<TypeParam>::inrimage, 8 * sizeof(TypeParam));
+  const std::string type = fmt::format("TYPE={}\nPIXSIZE={} bits", names<TypeParam>.inrimage, 8 * sizeof(TypeParam));
   this->expect_kept(this->folder.write("little.inr", inrimage(inrimage_fields(type, "decm"), this->bytes)));
   this->expect_kept(this->folder.write("big.inr", inrimage(inrimage_fields(type, "sun"), this->swapped)));
 }
 
 TYPED_TEST(ReadTypes, Raw) {
-  const RawLayout little{{nx, ny, nz}, spacing, Names<TypeParam>::type, ByteOrder::little};
-  const RawLayout big{{nx, ny, nz}, spacing, Names<TypeParam>::type, ByteOrder::big};
+  const RawLayout little{{nx, ny, nz}, spacing, names<TypeParam>.type, ByteOrder::little};
+  const RawLayout big{{nx, ny, nz}, spacing, names<TypeParam>.type, ByteOrder::big};
   this->expect_kept(read_raw({this->folder.write("little.raw", this->bytes)}, little), "little.raw");
   this->expect_kept(read_raw({this->folder.write("big.raw", this->swapped)}, big), "big.raw");
   std::vector<std::filesystem::path> slices;
@@ -222,7 +160,7 @@ TYPED_TEST(ReadTypes, Raw) {
 TEST(ReadNifti, ScaledSamplesAreComputedInDouble) {
   const TestFolder folder;
   NiftiHeader header;
-  header.put<std::int16_t>(70, Names<std::int32_t>::nifti);
+  header.put<std::int16_t>(70, names<std::int32_t>.nifti);
   header.put<std::int16_t>(72, 32);
   header.put<float>(112, 0.5F);
   header.put<float>(116, 1.0F);
@@ -230,7 +168,7 @@ TEST(ReadNifti, ScaledSamplesAreComputedInDouble) {
   const Volume wide = read_volume(folder.write("i32.nii", header.bytes() + bytes_of(values)));
   ASSERT_EQ(wide.samples.type(), SampleType::f64);  // a float cannot hold 32 bits
   for (std::size_t n = 0; n < values.size(); ++n) EXPECT_EQ(wide.samples.as<double>()[n], 0.5 * values[n] + 1.0);
-  header.put<std::int16_t>(70, Names<std::int16_t>::nifti);
+  header.put<std::int16_t>(70, names<std::int16_t>.nifti);
   header.put<std::int16_t>(72, 16);
   const std::vector<std::int16_t> shorts = values_of_type<std::int16_t>();
   const Volume narrow = read_volume(folder.write("i16.nii", header.bytes() + bytes_of(shorts)));

@@ -33,7 +33,7 @@ Reader reader_for(const std::filesystem::path& path) {
     if (name.ends_with(format.ending)) return format.reader;
     known += std::string(known.empty() ? "" : ", ") + format.ending;
   }
-  throw DataError(fmt::format("{}: its ending is not that of a volume format; readable are {}", path.string(), known));
+  throw DataError(fmt::format("{}: no volume format has this ending; known are {}", path.string(), known));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Volume read_volume(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw DataError(path.string() + ": no such file; check the path");
   if (!std::filesystem::is_regular_file(path, error))
-    throw DataError(path.string() + ": not a file; give a volume's file");
+    throw DataError(path.string() + ": not a file; give the path of a volume file");
   if (std::filesystem::file_size(path, error) == 0) throw DataError(path.string() + ": empty; copy or export it again");
   Volume volume;
   try {
@@ -76,8 +76,9 @@ Lattice make_lattice(const std::filesystem::path& path, const std::array<long lo
     lattice.size[a] = static_cast<int>(size[a]);
     const double length = direction.col(axis).norm();
     if (!(std::isfinite(length) && length > 0.0 && std::isfinite(spacing[axis]) && spacing[axis] > 0.0)) {
-      throw DataError(fmt::format(
-          "{}: the spacing or direction of axis {} is not a positive number; correct its header", path.string(), axis));
+      throw DataError(
+          fmt::format("{}: axis {}: its spacing and the length of its direction must be > 0; correct the header",
+                      path.string(), axis));
     }
     lattice.spacing[axis] = spacing[axis];
     lattice.direction.col(axis) = direction.col(axis) / length;

@@ -24,7 +24,7 @@ Extent extent_of(const std::string& text, const std::filesystem::path& path) {
   for (std::size_t n = 0; n < 6; ++n) {
     if (!(std::abs(numbers[n]) <= std::numeric_limits<int>::max()) || numbers[n] != std::floor(numbers[n])) {
       throw DataError(
-          fmt::format("{}: its extent '{}' is not six numbers of nodes; copy or export it again", path.string(), text));
+          fmt::format("{}: its extent '{}' is not six whole numbers; copy or export it again", path.string(), text));
     }
     extent[n] = static_cast<long long>(numbers[n]);
   }

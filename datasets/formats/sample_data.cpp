@@ -25,7 +25,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' ||
 
 constexpr std::size_t longest_number = 400;  // characters; printf's %f of the largest double takes 317
 
-/// Turns samples from number `first` on, which were read as they stand in the file, into this machine's byte order.
+/// Converts the samples from number `first` on from the file's byte order to this machine's.
 template <class T>
 void to_native_order(std::vector<T>& samples, std::size_t first, ByteOrder order) {
   if (sizeof(T) == 1 || !is_foreign(order)) return;
@@ -36,8 +36,8 @@ void to_native_order(std::vector<T>& samples, std::size_t first, ByteOrder order
   }
 }
 
-/// The number that a word is; std::nullopt for other words. A floating-point number too large for its type is infinite
-/// and is refused with the place of its node, later; one too small is 0.
+/// The number that a word states; std::nullopt for other words. A floating-point number too large for its type becomes
+/// infinite, and check_finite() refuses it later and names its node; one too small becomes 0.
 template <class T>
 std::optional<T> number_of_word(std::string_view word) {
   if (word.size() > longest_number) return std::nullopt;
@@ -102,7 +102,7 @@ template <class T>
 void read_binary(ByteReader& reader, std::size_t count, ByteOrder order, std::vector<T>& samples) {
   const std::size_t possible = reader.possible_bytes() / sizeof(T);
   if (possible < count) throw_truncated(reader.path(), possible, count);
-  // Reserving only takes addresses, no memory yet: a compressed file may promise a thousand times what it holds.
+  // This takes only addresses, no memory yet: a compressed file's header may state a thousand times what it holds.
   samples.reserve(samples.size() + count);
   for (std::size_t done = 0; done < count;) {
     const std::size_t part = std::min(count - done, chunk_bytes / sizeof(T));

@@ -36,7 +36,7 @@ std::optional<std::string> take(std::string_view source, std::size_t bytes, bool
     unsigned group = 0;
     for (std::size_t n = 0; n < 4; ++n) {
       const int digit = base64_digit(source[at + n]);
-      // Only the last group may be padded, where fewer than its three bytes are needed.
+      // Only the last group may be padded, if fewer than its three bytes are needed.
       if (digit < 0 && (source[at + n] != '=' || result.size() + n <= bytes)) return {};
       group = group << 6U | static_cast<unsigned>(std::max(digit, 0));
     }

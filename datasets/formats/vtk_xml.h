@@ -1,6 +1,6 @@
 // VTK's XML files (VTI and VTP; version 0.1 to 2.x of the format): text, base64 or appended raw data, plain or
-// compressed with zlib, LZ4 or LZMA. The own reader of VTK 9.1 does not check a file: it takes as much memory as a
-// header promises, and writes outside its arrays if extents or blocks do not agree.
+// compressed with zlib, LZ4 or LZMA. The reader of VTK 9.1 does not check a file: it takes as much memory as a header
+// states, and writes outside its arrays if extents or blocks do not agree.
 #pragma once
 
 #include <filesystem>

@@ -50,8 +50,8 @@ std::string dataset_checksum(const std::string& name, const Place& place = {});
 /// or a wrong checksum; and what reading, preparing and Isosurface throw.
 Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place = {});
 
-/// Makes a dataset of any volume file: smooths it with a Gaussian of `smooth_voxels` (0: no smoothing) and closes the
-/// object at the volume's border if it reaches it, with a note to the monitor. The checksum covers the samples, rounded
+/// Makes a dataset of any volume file: smooths it with a Gaussian of `smooth_voxels` (0: no smoothing), and closes an
+/// object that reaches the volume's border there, with a note to the monitor. The checksum covers the samples, rounded
 /// to float, and these arguments. Throws what read_volume(), prepare() and Isosurface throw.
 Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, Inside inside, double smooth_voxels,
                           Kernel kernel, Monitor& monitor);

@@ -1,5 +1,5 @@
-// Finding a manifest's files: in a folder of the user's, in the cache, or at an address or in a package, from which
-// they are fetched into the cache.
+// Finding a manifest's files: in a folder of the user or in the cache; otherwise they are fetched into the cache from
+// an address or a package.
 #pragma once
 
 #include <filesystem>

@@ -54,7 +54,7 @@ CloseBorder closing_step(const Volume& volume, double isovalue, Inside inside) {
   return step;
 }
 
-/// Hashes the samples rounded to float, as F is made of them, whatever their type in the file.
+/// Hashes the samples as floats, from which F is made, whatever their type in the file.
 void add_samples(const Samples& samples, Sha256& hash) {
   samples.visit([&](const auto& values) {
     std::vector<float> chunk;
@@ -85,7 +85,7 @@ Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, In
   if (!std::isfinite(isovalue)) throw UsageError("the isovalue is not a finite number; give one that is");
   if (!(smooth_voxels >= 0.0 && smooth_voxels < 1000.0)) {
     throw UsageError(
-        fmt::format("smoothing by {} voxels is not possible; give a number from 0 to 1000", smooth_voxels));
+        fmt::format("smoothing by {} voxels is not possible; give a number >= 0 and < 1000", smooth_voxels));
   }
   Dataset dataset;
   dataset.name = path.stem().string();

@@ -169,8 +169,8 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
     manifest.name = path.stem().string();
     if (!is_plain_name(manifest.name)) {
       throw UsageError(Place{path.string()},
-                       "its name becomes part of folders' names; rename it to at most 100 printable characters, the "
-                       "first neither '.' nor '-'");
+                       "the manifest's name becomes part of the names of folders; rename it to at most 100 printable "
+                       "characters, the first neither '.' nor '-'");
     }
     manifest.beside = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   }

@@ -14,11 +14,11 @@ namespace isobench {
 
 namespace {
 
-/// A number that single precision can hold, in which F is computed.
+/// A number within the range of float, because F is made from floats.
 double parse_finite(const TomlValue& value) {
   const double number = value.as_number();
   if (!(std::abs(number) <= std::numeric_limits<float>::max())) {
-    throw UsageError(value.place(), "a finite number is expected");
+    throw UsageError(value.place(), "a finite number of at most 3.4e38 is expected");
   }
   return number;
 }
@@ -60,7 +60,7 @@ PrepareStep parse_close_border(const TomlValue& table, Inside inside) {
   return step;
 }
 
-/// A step's own keys, and the function that makes the step of them.
+/// A step's own keys, and the function that makes the step from them.
 struct StepParser {
   std::vector<std::string> keys;
   std::function<PrepareStep(const TomlValue&, Inside)> parse;

@@ -80,7 +80,7 @@ class EveryPhantom : public testing::TestWithParam<Phantom> {};
 /// The phantoms of which everything is known.
 class ClosedForm : public testing::TestWithParam<Phantom> {};
 
-/// Those of them whose gaps are wide enough: samples 0.5–0.8 mm apart find the balls that lie in the gaps.
+/// The same phantoms with wider gaps, so that samples 0.5–0.8 mm apart find the balls in the gaps.
 std::vector<Phantom> widened(std::vector<Phantom> all) {
   for (Phantom& p : all) {
     if (p.name == "thin-sheets") p = phantom(p.name, {{"thickness", 10.0}, {"gap", 8.0}});

@@ -14,7 +14,7 @@ namespace isobench {
 
 namespace {
 
-/// True if a T can be this value: for an integer type a whole number within its range. A floating-point type rounds.
+/// True if a T can hold this value. An integer type holds whole numbers within its range; a floating-point type rounds.
 template <class T>
 bool holds(double value) {
   if constexpr (std::is_integral_v<T>) {
@@ -25,7 +25,7 @@ bool holds(double value) {
   }
 }
 
-/// Turns samples that cannot be this value into RealOf their type.
+/// Turns samples whose type cannot hold this value into RealOf their type.
 void make_room_for(double value, Samples& samples) {
   samples = samples.visit([&](auto& values) -> Samples {
     using T = SampleOf<decltype(values)>;
@@ -99,7 +99,7 @@ void clamp_layers(std::vector<T>& samples, const Lattice& lattice, const CloseBo
 }  // namespace
 
 void check_size(const std::array<int, 3>& size) {
-  // The limit is that for files: 2^40 nodes are more than any volume has, and their number fits into 64 bits.
+  // Files have the same limit: 2^40 nodes are more than any volume has, and their number fits into 64 bits.
   if (static_cast<double>(size[0]) * size[1] * size[2] > static_cast<double>(1LL << 40U)) {
     throw DataError(fmt::format("a volume of {} × {} × {} nodes would be too large; pad or resample it less", size[0],
                                 size[1], size[2]));
@@ -149,7 +149,7 @@ void pad(Volume& volume, int voxels, double value) {
 }
 
 void close_border(Volume& volume, const CloseBorder& step) {
-  if (volume.samples.empty()) throw DataError("close-border: the volume has no samples; give one that has");
+  if (volume.samples.empty()) throw DataError("close-border: the volume has no samples; give one with samples");
   if (!step.use_minimum) make_room_for(step.value, volume.samples);
   volume.samples.visit([&](auto& samples) {
     using T = SampleOf<decltype(samples)>;

@@ -16,7 +16,7 @@ struct Run {
   int end;
 };
 
-/// The runs of all rows, row after row, and the number of each row's first run; one more number closes the list.
+/// The runs of all rows, row after row. Row n has the runs row_begin[n] ≤ r < row_begin[n + 1].
 struct Runs {
   std::vector<Run> runs;
   std::vector<std::uint32_t> row_begin{0};

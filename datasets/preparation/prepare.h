@@ -68,8 +68,8 @@ using PrepareStep = std::variant<Threshold, SelectLabels, LargestComponent, Crop
 std::string describe(const PrepareStep& step);
 
 /// Applies the steps in order; nodes keep their place in the world. Threshold and SelectLabels give bytes. Resample,
-/// SignedDistance, Gaussian and Subsample give floats. The other steps keep the type of the samples, unless a value
-/// that they are to set is not of that type: then it becomes RealOf the type. Throws DataError if a step leaves nothing
+/// SignedDistance, Gaussian and Subsample give floats. The other steps keep the type of the samples, unless this
+/// type cannot hold a value that they set: then it becomes RealOf the type. Throws DataError if a step leaves nothing
 /// (an empty crop, a threshold that no sample reaches) or cannot be done (a distance in a volume that is all inside).
 /// Time: linear in the nodes for every step. Memory: at most the samples before and after one step. Resample,
 /// SignedDistance, Gaussian and Subsample are threaded and give the same bits with any number of threads.

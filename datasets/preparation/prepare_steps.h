@@ -1,4 +1,4 @@
-// The preparation steps, behind prepare(), which says what each of them does.
+// The functions behind prepare(); prepare.h says what each step does.
 #pragma once
 
 #include "isobench/datasets/preparation/prepare.h"
@@ -28,7 +28,7 @@ void gaussian(FloatVolume& volume, const Eigen::Vector3d& sigma, Monitor& monito
 FloatVolume resample(const FloatVolume& volume, const Eigen::Vector3d& spacing);
 FloatVolume subsample(const FloatVolume& volume, int factor);
 
-/// Throws DataError, which names the step, unless a volume of this size can be made.
+/// Throws DataError unless a volume of this size can be made.
 void check_size(const std::array<int, 3>& size);
 
 }  // namespace isobench

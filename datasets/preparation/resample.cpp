@@ -31,7 +31,7 @@ Taps taps_of(int count, double from, double to, int axis) {
   Taps taps;
   taps.spacing = fresh == 1 ? from : length / (fresh - 1);
   for (int n = 0; n < fresh; ++n) {
-    // Integers as far as possible: a node that falls on an old one then does so exactly.
+    // Integers as far as possible, so that a new node at the place of an old one lies there exactly.
     const long long numerator = static_cast<long long>(n) * (count - 1);
     const long long denominator = std::max(fresh - 1, 1);
     const int lower = static_cast<int>(std::min<long long>(numerator / denominator, std::max(count - 2, 0)));

@@ -23,7 +23,7 @@ std::vector<std::uint8_t> selection(const std::vector<T>& samples, Selected sele
   return result;
 }
 
-/// sample >= at, exactly. An integer is compared with `at` rounded up, because a 64-bit integer need not be a double.
+/// sample >= at, exactly. An integer is compared with `at` rounded up, as a double cannot hold all 64-bit integers.
 template <class T>
 std::vector<std::uint8_t> at_least(const std::vector<T>& samples, double at) {
   if constexpr (std::is_integral_v<T>) {
@@ -48,14 +48,14 @@ std::vector<T> possible_labels(const std::vector<std::int64_t>& labels) {
       if (std::in_range<T>(label)) possible.push_back(static_cast<T>(label));
     } else {
       const T real = static_cast<T>(label);
-      // 2^63 itself is a T that no label is.
+      // 2^63 is a T, but cannot be a label.
       if (real < std::ldexp(T{1}, 63) && static_cast<std::int64_t>(real) == label) possible.push_back(real);
     }
   }
   return possible;
 }
 
-/// Replaces the samples by the selection; throws `nothing` and the samples' range if no node is selected.
+/// Replaces the samples by the selection. Throws DataError with `nothing` and the samples' range if it is empty.
 void replace(Volume& volume, std::vector<std::uint8_t> selected, const std::string& nothing) {
   if (std::find(selected.begin(), selected.end(), 1) == selected.end()) {
     throw DataError(fmt::format("{}: the samples lie in {}; correct the step", nothing, range_text(volume)));

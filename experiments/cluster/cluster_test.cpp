@@ -67,7 +67,8 @@ TEST_F(OnACluster, GivesWhatOneMachineGives) {
   EXPECT_EQ(figures(far), expected);
   const Outcome same = call({"compare", "results/quick", "local/quick"});
   EXPECT_EQ(same.code, 0) << same.out;
-  EXPECT_NE(same.out.find("32 runs are the same in both in all but seconds and memory"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("32 runs are the same on both sides, except for seconds and memory"), std::string::npos)
+      << same.out;
 }
 
 class OnAFailingCluster : public OnACluster {
@@ -110,8 +111,8 @@ TEST_F(OnAFailingCluster, LosesNothingWhenTasksAndNodesFail) {
   const auto before = records(results());
 
   // The limit of Slurm is the shorter one. Slurm first sends a signal, and the program drops its cell. Slurm checks
-  // every half minute and may be so much early: with a limit of one minute the signal could come while the program
-  // starts.
+  // every half minute and may send the signal that much early: with a limit of one minute it could come while the
+  // program starts.
   submit_with("hang:sphere-particles-*-s2-*", {"--chunk", "1", "--", "--time=2"}, "submitted 3 of 10 cells");
   ASSERT_TRUE(Cluster::drained()) << run_command({"squeue"}).out;
   EXPECT_EQ(count_starting(results(), "sphere-particles-l4-s2-"), 0U);
@@ -119,7 +120,7 @@ TEST_F(OnAFailingCluster, LosesNothingWhenTasksAndNodesFail) {
   EXPECT_NE(log.find("isobench: stopped ("), std::string::npos) << log;
   EXPECT_NE(status().find("missing"), std::string::npos) << status();
 
-  // A node dies while it runs the task. Cancel the task, which Slurm would start on the other node to hang there again.
+  // A node dies while it runs the task. Cancel the task: Slurm would start it on the other node, where it hangs again.
   submit_with("hang:sphere-particles-*-s2-*", {}, "submitted ");
   become("1 running");
   const std::string node = word_after(status(), " on ");

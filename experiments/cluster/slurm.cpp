@@ -42,7 +42,7 @@ std::string submit_batch(const std::vector<std::string>& words) {
 
 std::optional<std::map<std::string, std::string>> queued_tasks(const std::vector<std::string>& jobs) {
   std::map<std::string, std::string> tasks;
-  // Ask for one job at a time: asked for several, squeue fails if it has forgotten one of them.
+  // Ask for one job at a time: for several jobs squeue fails if it no longer knows one of them.
   for (const std::string& job : jobs) {
     CommandOutput output;
     try {

@@ -1,4 +1,4 @@
-// Asks the Slurm of this machine (22.05 or later) through its own commands. Nothing is scheduled here.
+// Talks to Slurm (22.05 or later) on this machine through its commands. Slurm alone does the scheduling.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ bool has_slurm();
 /// The most tasks that a job array may have: MaxArraySize of the cluster, 1000 if it does not say.
 std::size_t most_tasks();
 
-/// Calls sbatch with these arguments and returns the number of the job. Throws Error with what sbatch said if it
+/// Calls sbatch with these arguments and returns the number of the job. Throws Error with sbatch's message if it
 /// refuses.
 std::string submit_batch(const std::vector<std::string>& words);
 

@@ -115,7 +115,7 @@ TEST(Submit, SaysWhatSbatchRefused) {
   EXPECT_TRUE(has(run_program(folder.path(), {"status", "results/two"}, slurm.environment()).out, "12 missing"));
 }
 
-/// A record of the size that `particles` writes, which are the longest.
+/// A record as long as those of `particles`, which are the longest.
 RunRecord full_record(const RunRequest& request) {
   RunRecord record = sample_record(request.dataset, request.method);
   record.request = request;

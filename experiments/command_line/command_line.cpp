@@ -18,7 +18,7 @@ namespace isobench {
 
 namespace {
 
-// What the words on the command line are parsed into, and the verb to run once they are.
+// The parsed words of the command line, and the verb to run.
 struct CommandLine {
   CommonArguments common;
   bool quiet = false;
@@ -90,15 +90,15 @@ void add_sizing(CLI::App& verb, SizingRequest& sizing) {
 // Which experiment, and how it differs from its config.
 void add_experiment(CLI::App& verb, RunArguments& run) {
   verb.add_option("config", run.config,
-                  "a TOML file such as experiments/quick.toml, or a results folder: it is continued or, with --out, "
-                  "computed again elsewhere and compared")
+                  "a TOML file such as experiments/quick.toml, or a results folder; a results folder is continued or, "
+                  "with --out, computed again in another folder and compared with it")
       ->required();
   add(verb, "--out", run.out, "FOLDER", "write the results to FOLDER/<name of the experiment> (default: results)");
   add(verb, "--set", run.set, "KEY=VALUE",
-      "set a parameter of every method that has it; makes another experiment, so give another --out");
+      "set a parameter in every method that has it; this is another experiment, so give another --out");
   add(verb, "--seed", run.seeds, "N,...",
-      "seeds of all randomness instead of the config's, e.g. 7 or 1,2,3; makes another experiment, so give another "
-      "--out")
+      "seeds of the random numbers, in place of the config's, e.g. 7 or 1,2,3; this is another experiment, so give "
+      "another --out")
       ->delimiter(',')
       ->allow_extra_args(false);  // the next word is the config
   verb.add_flag("--quick", run.quick, "run the smaller variant that the config describes in [quick]");
@@ -108,7 +108,7 @@ void add_run(CLI::App& app, CommandLine& line) {
   CLI::App* verb = app.add_subcommand("run", "Run an experiment; runs that are done already are kept");
   add_experiment(*verb, line.run);
   add(*verb, "--only", line.run.only, "GLOB",
-      "run only what matches as dataset/label, dataset/method or name of a run, e.g. 'skull/*'");
+      "run only runs whose dataset/label, dataset/method or name matches GLOB, e.g. 'skull/*'");
   add(*verb, "--cells", line.run.cells, "LIST",
       "run only these cells of a results folder's plan, by number, e.g. 3-7,12; writes no report");
   add(*verb, "--jobs", line.run.jobs, "N", fmt::format("number of runs at a time (default: {})", line.run.jobs))
@@ -124,11 +124,12 @@ void add_submit(CLI::App& app, CommandLine& line) {
   SubmitArguments& submit = line.submit;
   CLI::App* verb = app.add_subcommand("submit", "Submit the missing and failed runs of an experiment to Slurm");
   add_experiment(*verb, submit.run);
-  add(*verb, "--chunk", submit.chunk, "N", "number of cells per task (default: as many as take some minutes)")
+  add(*verb, "--chunk", submit.chunk, "N", "number of cells per task (default: as many as take about five minutes)")
       ->check(CLI::Range(1, 1000000));
   add(*verb, "--throttle", submit.throttle, "N", "number of tasks at a time (default: no limit)")
       ->check(CLI::PositiveNumber);
-  verb->add_flag("--exclusive-timing", submit.exclusive, "give each task a node of its own, so that its seconds count");
+  verb->add_flag("--exclusive-timing", submit.exclusive,
+                 "give each task a node of its own and mark its seconds as measured alone");
   verb->add_option("sbatch", submit.sbatch, "after --: further arguments for sbatch, e.g. -- --partition=long");
   add_threads(*verb, line, "processors of each task, and threads of its runs (default: what Slurm gives a task)");
   add_verbosity(*verb, line, "without effect", "without effect");
@@ -156,29 +157,29 @@ void add_compare(CLI::App& app, CommandLine& line) {
   CompareArguments& compare = line.compare;
   CLI::App* verb = app.add_subcommand(
       "compare",
-      "Compare two results folders, figure by figure; exit code 1 where more differs than seconds and memory");
+      "Compare two results folders, figure by figure; exit code 1 if they differ in more than seconds and memory");
   verb->add_option("a", compare.a, "a results folder, e.g. results/paper")->required();
   verb->add_option("b", compare.b, "another one")->required();
   add(*verb, "--tolerance", compare.tolerance, "T",
       fmt::format("ignore relative differences of up to T, 0 to 1 (default: {})", compare.tolerance))
       ->check(CLI::Range(0.0, 1.0));
-  add_verbosity(*verb, line, "print nothing; the exit code tells", "print seconds and all differences");
+  add_verbosity(*verb, line, "print nothing and only set the exit code", "print seconds and all differences");
   verb->callback([&line] { line.action = [&line] { return compare_verb(line.compare, line.common); }; });
 }
 
 void add_mesh(CLI::App& app, CommandLine& line) {
   MeshArguments& mesh = line.mesh;
   CLI::App* verb =
-      app.add_subcommand("mesh", "Mesh one dataset or volume file; without a sizing with --epsilon 0.5 --delta 0.3");
+      app.add_subcommand("mesh", "Mesh one dataset or volume file; default sizing: --epsilon 0.5 --delta 0.3");
   add_surface(*verb, mesh.surface);
   add_sizing(*verb, mesh.sizing);
   add(*verb, "--method", mesh.method, "NAME",
       fmt::format("a name from `isobench list methods` (default: {})", mesh.method));
   add(*verb, "--set", mesh.set, "KEY=VALUE", "set a parameter of the method; may be given several times");
-  add(*verb, "--seed", mesh.seed, "N", fmt::format("seed of all randomness (default: {})", mesh.seed));
+  add(*verb, "--seed", mesh.seed, "N", fmt::format("seed of the random numbers (default: {})", mesh.seed));
   add(*verb, "-o,--output", mesh.output, "FILE", "write the mesh to FILE: .vtp, .ply, .off, .obj or .stl");
   add(*verb, "--artefacts", mesh.artefacts, "FOLDER",
-      "write medial-axis.vtp, sizing.vtp and particles.vtp to FOLDER, as far as the method has them");
+      "write medial-axis.vtp, sizing.vtp and particles.vtp to FOLDER, if the method has them");
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return mesh_verb(line.mesh, line.common); }; });
 }
@@ -190,7 +191,8 @@ void add_measure(CLI::App& app, CommandLine& line) {
                          "Measure a mesh file, by itself or against the surface of a dataset or volume; or "
                          "every mesh of a results folder again");
   verb->add_option("mesh", measure.mesh,
-                   "a mesh of any program in mm, with a surface in its world coordinates; or a results folder")
+                   "a mesh file of any program, in mm and, if a surface is given, in the surface's world coordinates; "
+                   "or a results folder")
       ->required();
   add_surface(*verb, measure.surface);
   add(*verb, "--epsilon", measure.epsilon, "E",
@@ -234,7 +236,7 @@ void add_cell(CLI::App& app, CommandLine& line) {
   cell->callback([&line] { line.action = [&line] { return cell_verb(line.cell, line.common); }; });
 }
 
-// CLI11 says of an unknown verb or option only that it was not expected; these give the nearest one, too.
+// For an unknown verb or option CLI11 says only that it was not expected. These functions also name the nearest one.
 void check_verb(const CLI::App& app, const std::string& word) {
   std::vector<std::string> verbs;
   for (const CLI::App* verb : app.get_subcommands({})) {
@@ -279,8 +281,9 @@ void add_verbs(CLI::App& app, CommandLine& line) {
   add_status(app, line);
   add_cell(app, line);
   app.footer(
-      "`isobench VERB --help` describes a verb. Exit codes: 0 done; 1 some runs failed, the others are stored; 2 a "
-      "mistake in the command line or in a config; 3 data missing, damaged or without a surface; 130 interrupted.");
+      "`isobench VERB --help` describes a verb. Exit codes: 0 done; 1 some runs failed (the others are stored), or "
+      "another error; 2 a mistake in the command line or in a config; 3 data missing, damaged or without a surface; "
+      "130 interrupted.");
 }
 
 int parse_and_run(int argc, char** argv) {

@@ -50,7 +50,7 @@ TEST_F(Compare, TwoRunsOfOneConfigDifferInNothingButSeconds) {
   run_twice(particles_experiment);
   const Outcome same = run({"compare", "a/two", "b/two"});
   EXPECT_EQ(same.code, 0) << same.out << same.err;
-  EXPECT_EQ(same.out.find("2 runs are the same in both in all but seconds and memory"), 0U) << same.out;
+  EXPECT_EQ(same.out.find("2 runs are the same on both sides, except for seconds and memory"), 0U) << same.out;
   EXPECT_EQ(std::count(same.out.begin(), same.out.end(), '\n'), 1) << same.out;
   EXPECT_NE(same.out.find("threads"), std::string::npos) << same.out;  // the circumstance that differs
   EXPECT_NE(run({"compare", "a/two", "b/two", "-v"}).out.find("## Seconds"), std::string::npos);
@@ -63,7 +63,7 @@ TEST_F(Compare, AStoredFolderIsMadeAgainElsewhereAndCompared) {
   fs::remove(folder_.path() / "two.toml");
   const Outcome again = run({"run", "as-it-came", "--out", "mine", "--threads", "1"});
   ASSERT_EQ(again.code, 0) << again.err;
-  EXPECT_NE(again.out.find("4 runs are the same in both in all but seconds and memory"), std::string::npos)
+  EXPECT_NE(again.out.find("4 runs are the same on both sides, except for seconds and memory"), std::string::npos)
       << again.out;
   EXPECT_NE(again.out.find("| threads | 2   | 1   | 4    |"), std::string::npos) << again.out;
   EXPECT_TRUE(fs::exists(folder_.path() / "mine" / "as-it-came" / "results.csv"));

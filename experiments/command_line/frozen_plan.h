@@ -12,13 +12,13 @@
 
 namespace isobench {
 
-/// The experiment that arguments ask for: of a config, or of a results folder, which keeps its config.
+/// The experiment that the arguments name, by a config or by a results folder, which keeps its config.
 struct ChosenExperiment {
   Config config;                                ///< with --set, --seed and --quick applied
   std::filesystem::path folder;                 ///< its results folder, which may not exist yet
   std::optional<std::filesystem::path> copies;  ///< the results folder that is computed again in another place
 };
-/// Honours config, out, set, seeds and quick. Throws UsageError for a mistake in them or in the config.
+/// Uses config, out, set, seeds and quick. Throws UsageError for a mistake in them or in the config.
 ChosenExperiment choose_experiment(const RunArguments& arguments);
 
 /// A plan as it stands in a results folder.

@@ -8,7 +8,7 @@ namespace isobench {
 
 namespace {
 
-// Help is read, not searched for entries: lines stay short in a file, too.
+// Help, unlike lists, is not searched by `grep`, so its lines stay short in a file, too.
 std::size_t help_width() { return std::min<std::size_t>(output_width(), 100); }
 
 }  // namespace

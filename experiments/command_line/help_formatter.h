@@ -7,8 +7,8 @@
 
 namespace isobench {
 
-/// Aligned columns, wrapped to the width of the terminal. An option shows its names and its option_text() alone:
-/// whoever adds an option says range and default in the description.
+/// Aligned columns, wrapped to the width of the terminal. An option shows only its names and its option_text():
+/// its description must state range and default.
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();

@@ -15,7 +15,7 @@ Report make_report(const std::filesystem::path& folder, const CommonArguments& c
 
 void print_tables(const Report& report) {
   fmt::print("{}", report.tables);
-  std::fflush(stdout);  // before what follows on stderr
+  std::fflush(stdout);  // so that it stands before later lines on stderr
 }
 
 void print_written_files(const std::filesystem::path& folder, const Report& report, Console& console) {

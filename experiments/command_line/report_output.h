@@ -1,4 +1,4 @@
-// What `run` and `report` print of a report.
+// How `run` and `report` write a report and print it.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace isobench {
 
-/// Writes the report of a results folder, as much of it as `common` asks for, and shows on the console that it does.
+/// Writes the parts of a results folder's report that `common` asks for, and shows on the console that it does so.
 Report make_report(const std::filesystem::path& folder, const CommonArguments& common, Console& console);
 
-/// The tables, on stdout.
+/// Prints the tables on stdout.
 void print_tables(const Report& report);
 
-/// Which parts are missing and why, and the paths of the files that were written, on the console.
+/// Prints on the console which parts are missing and why, and the paths of the files that were written.
 void print_written_files(const std::filesystem::path& folder, const Report& report, Console& console);
 
 }  // namespace isobench

@@ -7,7 +7,7 @@ namespace isobench {
 void check(const SurfaceArguments& surface) {
   const bool dataset = !surface.dataset.empty();
   const bool volume = !surface.volume.empty();
-  if (dataset == volume) throw UsageError("give either --dataset or --volume");
+  if (dataset == volume) throw UsageError("give either --dataset or --volume, and not both");
   if (volume && !surface.isovalue) throw UsageError("--volume needs --isovalue, the value of its surface");
   if (dataset && surface.isovalue) throw UsageError("--isovalue goes with --volume; a dataset has its own");
 }

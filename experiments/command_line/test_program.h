@@ -47,7 +47,7 @@ class Program {
  private:
   static ChildOptions options(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                               std::map<std::string, std::string> environment) {
-    // The tests of the page make pages; elsewhere they would only take time.
+    // Only the tests of the page need pages; in other tests they would only take time.
     if (std::getenv("ISOBENCH_TABLES_ONLY") == nullptr) environment.try_emplace("ISOBENCH_TABLES_ONLY", "1");
     return {.words = with({ISOBENCH_PROGRAM}, arguments),
             .folder = folder,

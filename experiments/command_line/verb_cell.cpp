@@ -21,10 +21,10 @@ RunRequest planned(const CellArguments& arguments) {
 }  // namespace
 
 int cell_verb(const CellArguments& arguments, const CommonArguments&) {
-  std::signal(SIGPIPE, SIG_IGN);  // the run goes on where nobody reads its progress any more
+  std::signal(SIGPIPE, SIG_IGN);  // the run goes on if nobody reads its progress any more
   const RunRequest request = planned(arguments);
   if (request.match_to.empty() == arguments.match_vertices.has_value()) {
-    throw UsageError("--match-vertices must be given exactly where the run has a match_to");
+    throw UsageError("give --match-vertices if and only if the run has a match_to");
   }
   inject_fault(request, arguments.folder);
   PipeSink sink(arguments.progress_fd);

@@ -8,7 +8,7 @@ namespace isobench {
 int compare_verb(const CompareArguments& arguments, const CommonArguments& common) {
   Results a = load_results(arguments.a);
   Results b = load_results(arguments.b);
-  // Both are often runs of one experiment and have one name; their folders tell them apart.
+  // Both are often of one experiment and have the same name; their folders distinguish them.
   a.name = arguments.a.string();
   b.name = arguments.b.string();
   const Comparison comparison = compare(a, b, arguments.tolerance);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every topic gives rows of cells, the first of which is a name, the last a description.
+// Every topic gives rows of cells: the first cell is a name, the last one a description.
 using Rows = std::vector<std::vector<std::string>>;
 
 Rows dataset_rows() {

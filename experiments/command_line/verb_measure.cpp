@@ -33,8 +33,7 @@ int measure_file(const MeasureArguments& arguments, const CommonArguments& commo
   SizingRequest request;
   if (arguments.epsilon) {
     if (!arguments.surface.given())
-      throw UsageError(
-          "--epsilon needs the surface whose curvature and feature size it is about: give --dataset or --volume");
+      throw UsageError("--epsilon needs the surface, for its curvature and feature size: give --dataset or --volume");
     request.epsilon = arguments.epsilon;
     request.delta = 0.3;  // h0 does not depend on it
     request.floor = arguments.floor;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Before minutes are spent on a mesh that cannot be written.
+// Called before meshing, so that no time is spent on a mesh that cannot be written.
 void check_output(const fs::path& output) {
   if (output.empty()) return;
   const std::vector<std::string> endings = {".vtp", ".ply", ".off", ".obj", ".stl"};
@@ -27,7 +27,7 @@ void check_output(const fs::path& output) {
   }
   const fs::path folder = output.parent_path();
   if (!folder.empty() && !fs::is_directory(folder)) {
-    throw UsageError(output.string() + ": the folder " + folder.string() + " does not exist");
+    throw UsageError(output.string() + ": the folder " + folder.string() + " does not exist; make it first");
   }
 }
 
@@ -53,7 +53,7 @@ RunRequest request_of(const MeshArguments& arguments) {
   return request;
 }
 
-// What a person gets who asks for no sizing.
+// The sizing of the arguments, or a default if they state none and the method needs one.
 SizingRequest sizing_of(const MeshArguments& arguments, const Method& chosen, Console& console) {
   SizingRequest sizing = arguments.sizing;
   if (!is_empty(sizing)) {
@@ -78,7 +78,7 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   check(arguments.surface);
   check_output(arguments.output);
   if (!arguments.artefacts.empty() && !fs::is_directory(arguments.artefacts)) {
-    throw UsageError("--artefacts " + arguments.artefacts.string() + ": there is no such folder");
+    throw UsageError("--artefacts " + arguments.artefacts.string() + ": there is no such folder; make it first");
   }
   RunRequest request = request_of(arguments);
   Console console(common.verbosity);

@@ -55,7 +55,7 @@ void print_plan(const std::filesystem::path& folder, const std::vector<RunReques
   fmt::print("{} runs in {}: {}{}\n", cells.size(), folder.string(), text, timed ? "; timed, one at a time" : "");
 }
 
-// How the runs of a results folder differ from those that it was computed again from.
+// How the runs of a repeated results folder differ from those of the original.
 std::string differences(const std::filesystem::path& before, const std::filesystem::path& now) {
   Results a = load_results(before);
   Results b = load_results(now);
@@ -103,9 +103,8 @@ int run_numbered_cells(const RunArguments& arguments, const CommonArguments& com
       arguments.only != "*" || arguments.out || !arguments.set.empty() || !arguments.seeds.empty() || arguments.quick;
   if (more || !std::filesystem::is_directory(arguments.config)) {
     throw UsageError(
-        "--cells goes with a results folder, and without --only, --out, --set, --seed and --quick: it takes the "
-        "folder's "
-        "plan as it is; `isobench run` and `isobench submit` make such a folder");
+        "--cells goes with a results folder, whose plan it takes as it is, and not with --only, --out, --set, --seed "
+        "or --quick; `isobench run` and `isobench submit` make such a folder");
   }
   const std::vector<RunRequest> plan = read_plan(arguments.config);
   std::vector<RunRequest> cells;

@@ -23,7 +23,7 @@ using Numbers = std::vector<std::size_t>;
 
 // Long enough that the time Slurm takes to start a task does not matter.
 constexpr double minutes_per_task = 5.0;
-// As long as no cell is done, nobody knows how long cells take; there are at most this many tasks then.
+// As long as no cell is done, it is not known how long cells take. There are then at most this many tasks.
 constexpr std::size_t most_tasks_of_unknown_length = 1000;
 
 // A text as one word for a shell.
@@ -73,10 +73,10 @@ class Submitter {
     if (!lock) throw Error(folder_.string() + ": another `isobench submit` is submitting it; try again later");
     const FolderState state = folder_state(folder_, plan_);
     if (!state.queue_known)
-      throw Error("squeue does not answer: cells that are waiting already would be submitted twice; try again later");
+      throw Error("squeue does not answer, and cells that wait in its queue would be submitted twice; try again later");
     const Numbers to_do = cells_to_do(state);
     if (to_do.empty()) {
-      fmt::print("nothing to submit: none of {} cells is missing or failed; isobench status {}\n", plan_.size(),
+      fmt::print("nothing to submit: none of {} cells is missing or failed; see isobench status {}\n", plan_.size(),
                  folder_.string());
       return 0;
     }
@@ -216,9 +216,9 @@ int submit_verb(const SubmitArguments& arguments, const CommonArguments& common)
   const fs::path folder = fs::canonical(frozen.folder);
   if (!has_slurm()) {
     throw UsageError(fmt::format(
-        "there is no Slurm on this machine: sbatch was not found; the plan of {1} cells is in {0}: run it here by "
-        "`isobench run {0}`, or in parts on machines that share the folder by `isobench run --cells 1-{1} {0}` and "
-        "then `isobench report {0}`",
+        "there is no Slurm on this machine (sbatch does not work); the plan of {1} cells is in {0}: run it here by "
+        "`isobench run {0}`, or run parts of it on machines that share the folder by `isobench run --cells 1-{1} {0}`, "
+        "and at the end `isobench report {0}`",
         folder.string(), frozen.plan.size()));
   }
   return Submitter(arguments, common, folder, frozen.plan).run();

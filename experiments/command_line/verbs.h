@@ -39,7 +39,7 @@ int run_verb(const RunArguments& arguments, const CommonArguments& common);
 
 struct SubmitArguments {
   RunArguments run;                     ///< which experiment
-  std::optional<std::size_t> chunk;     ///< cells per task; default: as many as take five minutes, where that is known
+  std::optional<std::size_t> chunk;     ///< cells per task; default: as many as take five minutes, if that is known
   std::optional<std::size_t> throttle;  ///< tasks at a time
   bool exclusive = false;               ///< a whole node for each task; its seconds are marked as measured alone
   std::vector<std::string> sbatch;      ///< further arguments for sbatch
@@ -74,7 +74,7 @@ struct MeshArguments {
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common);
 
 struct MeasureArguments {
-  std::filesystem::path mesh;     ///< a file, or a results folder: all of its meshes again, each as its record says
+  std::filesystem::path mesh;     ///< a file, or a results folder: each of its meshes, as its record states
   SurfaceArguments surface;       ///< without one, only the figures that need no surface are measured
   std::optional<double> epsilon;  ///< without it, edges are not compared with h0
   double floor = 0.5;             ///< voxels
@@ -86,17 +86,17 @@ int measure_verb(const MeasureArguments& arguments, const CommonArguments& commo
 /// Prints what there is. `topic` is datasets, methods, metrics, columns, experiments, or empty for all of them.
 int list_verb(const std::string& topic);
 
-/// Downloads datasets into the cache, all of them where none is named, and prints the paths of their files.
+/// Downloads datasets into the cache, all of them if none is named, and prints the paths of their files.
 int fetch_verb(std::vector<std::string> datasets, const CommonArguments& common);
 
-/// Prints version, commit, compiler and libraries. Not a verb for the user, who asks by --version.
+/// Prints version, commit, compiler and libraries. Called for the option --version; it is no verb of the command line.
 int version_verb();
 
 struct CellArguments {
   std::filesystem::path plan;
   std::string run;
   std::filesystem::path folder;
-  std::optional<double> match_vertices;  ///< given exactly where the run has a match_to
+  std::optional<double> match_vertices;  ///< given if and only if the run has a match_to
   int progress_fd = -1;                  ///< file descriptor to write progress to
 };
 /// Hidden from the user: does one run of a plan. `run` starts it as a child process.

@@ -49,7 +49,7 @@ struct MethodEntry {
 };
 
 /// [[vary]]: one value changed at a time, as an ablation needs it. Without variations an experiment has its base runs;
-/// each value here adds all of them again with that one change. It replaces the value of an override, too.
+/// each value here adds all of them again with that one change. The change replaces the value of an override, too.
 struct Variation {
   std::string table;   ///< "sampling", "method" or "reference": the part of the key before the first dot
   std::string method;  ///< of table "method": label or name of the entries that it changes
@@ -122,7 +122,7 @@ Sampling variation_sampling(const Variation& variation, const ParameterValue& va
 /// The config as TOML, with [quick] applied or left out; read again, it gives the same plan. `published` is the path to
 /// write for the published figures.
 std::string to_toml(const Config& config, const std::string& published);
-/// A text that is equal for two configs exactly where they have the same runs, so that they may share a results folder.
+/// A text that is equal for two configs if and only if they have the same runs and so may share a results folder.
 /// Title, limits, labels, artefacts and published figures make no difference.
 std::string identity(const Config& config);
 

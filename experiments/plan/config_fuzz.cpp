@@ -31,14 +31,14 @@ bool is_large(const Config& config) {
 
 /// The config that a results folder keeps must be read again as the same one.
 void check_config(Config config) {
-  require(is_plain_name(config.name), "a results folder stays where it is");
+  require(is_plain_name(config.name), "the name of a results folder is a plain name");
   if (is_large(config)) return;
   const std::vector<RunRequest> plan = make_plan(config);
-  for (const RunRequest& request : plan) require(is_plain_name(request.run, 240), "a run's folder stays where it is");
+  for (const RunRequest& request : plan) require(is_plain_name(request.run, 240), "the name of a run is a plain name");
   config.published.reset();
   const Config again = read_config(fuzz_file("stored.toml", to_toml(config, "")));
-  require(identity(again) == identity(config), "written and read, a config is the same");
-  require(plan_to_json(make_plan(again)) == plan_to_json(plan), "written and read, a config has the same plan");
+  require(identity(again) == identity(config), "a config, written and read again, is the same");
+  require(plan_to_json(make_plan(again)) == plan_to_json(plan), "a config, written and read again, has the same plan");
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ bool fuzz_set(std::string_view bytes) {
   return accepts([&] {
     Config config = base;
     set_parameter(config, std::string(bytes));
-    require(make_plan(config).size() == 1, "a setting leaves one run of one");
+    require(make_plan(config).size() == 1, "--set does not change the number of runs");
     check_config(config);
     return true;
   });

@@ -77,7 +77,7 @@ Match read_match(const TomlValue& document, const std::vector<MethodEntry>& meth
     throw UsageError(to.place(),
                      "this experiment has no method '" + to.as_string() + "'" + suggestion(to.as_string(), known));
   }
-  // An entry of that label comes first. A method's name will do where it has only one entry.
+  // An entry of that label comes first. A method's name is enough if it has only one entry.
   const MethodEntry& entry = *meant.front();
   if (entry.label != to.as_string() && meant.size() > 1) {
     throw UsageError(to.place(), fmt::format("{} entries are of the method '{}'; give the label of one of them",
@@ -108,7 +108,8 @@ void keep_methods(Config& config, const TomlValue& names) {
     return std::find(kept.begin(), kept.end(), entry.label) == kept.end();
   });
   if (config.match && std::find(kept.begin(), kept.end(), config.match->to) == kept.end()) {
-    throw UsageError(names.place(), "[quick] leaves out '" + config.match->to + "', but the others are matched to it");
+    throw UsageError(names.place(),
+                     "[quick] leaves out '" + config.match->to + "', but match_to names it; add it to method");
   }
 }
 

@@ -31,7 +31,7 @@ Override read_override(const TomlValue& table, const std::vector<std::string>& d
   change.datasets = read_targets(table, "dataset", datasets);
   change.methods = read_targets(table, "method", methods);
   if (change.datasets.empty() && change.methods.empty()) {
-    throw UsageError(table.place(), "an [[override]] needs dataset or method, which say what runs it changes");
+    throw UsageError(table.place(), "an [[override]] needs dataset or method, to select the runs that it changes");
   }
   if (const auto sampling = table.find("sampling")) change.sampling = read_sampling(*sampling);
   if (const auto limits = table.find("limits")) change.limits = read_limits(*limits);

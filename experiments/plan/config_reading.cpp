@@ -94,7 +94,7 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   if (!is_plain_name(config.name)) {
     throw UsageError(
         Place{path.string()},
-        "the results folder gets the name of this file, which cannot be a folder's; rename it: at most 100 "
+        "the results folder gets the name of this file, but it cannot be the name of a folder; rename it: at most 100 "
         "printable characters, without '/', and the first neither '.' nor '-'");
   }
   config.title = config.name;
@@ -130,7 +130,9 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   read_overrides(config, document, datasets);
   config.variations = read_variations(document, config);
   if (variant == ConfigVariant::full) return config;
-  if (!table) throw UsageError(Place{path.string()}, "--quick needs a [quick] table, and this config has none");
+  if (!table)
+    throw UsageError(Place{path.string()},
+                     "--quick needs a [quick] table, but this config has none; add one, or leave out --quick");
   quick.name += "-quick";
   quick.overrides = config.overrides;
   quick.variations = config.variations;

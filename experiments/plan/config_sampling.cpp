@@ -54,8 +54,9 @@ void check_kind(const Sampling& sampling) {
   const char* rule = "give exactly one of: epsilon and delta, edge_length, vertices";
   if (kinds == 0) throw UsageError(sampling.place, std::string("the sampling gives no size; ") + rule);
   if (kinds > 1) throw UsageError(sampling.place, std::string("the sampling gives several sizes; ") + rule);
-  if (adaptive && sampling.delta.empty()) throw UsageError(sampling.place, "epsilon is given without delta");
-  if (adaptive && sampling.epsilon.empty()) throw UsageError(sampling.place, "delta is given without epsilon");
+  if (adaptive && sampling.delta.empty()) throw UsageError(sampling.place, "epsilon is given without delta; give both");
+  if (adaptive && sampling.epsilon.empty())
+    throw UsageError(sampling.place, "delta is given without epsilon; give both");
 }
 
 }  // namespace isobench

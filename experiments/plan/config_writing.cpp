@@ -107,7 +107,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   text += "dataset = " + toml_list(config.datasets) + "\n";
   text += "seed = " + toml_list(config.seeds) + "\n";
   if (config.repeats > 1) text += fmt::format("repeats = {}\n", config.repeats);
-  // Needed only where it is not the default, which depends on the repeats.
+  // Needed only if it is not the default, which depends on the repeats.
   if (config.timing != (config.repeats > 1)) text += fmt::format("timing = {}\n", config.timing);
   if (config.match) text += "match = \"vertices\"\nmatch_to = " + toml(config.match->to) + "\n";
   if (config.artefacts) text += "artefacts = true\n";

@@ -64,7 +64,7 @@ TEST(MatchedExperiment, BringsTheOthersToTheNumberOfVertices) {
   EXPECT_GE(looser.match->tries, 2);
   // The mesh is measured against the h0 that the config asks for, not against the scaled one.
   EXPECT_NEAR(looser.sizing->largest, particles.sizing->largest, 1e-12);
-  // The record is of the mesh that was kept, not of all tries together: it has as many sweeps as one mesh takes.
+  // The record describes the mesh that was kept, not all tries together: its trace has the sweeps of one mesh.
   EXPECT_EQ(looser.traces.at("energy").size(), particles.traces.at("energy").size());
 
   ASSERT_TRUE(cubes.match.has_value());

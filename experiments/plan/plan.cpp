@@ -48,7 +48,7 @@ struct ParameterVariant {
   Parameters parameters;
 };
 
-// A variant for each combination of the listed parameter values. Its label says what tells it from the others.
+// A variant for each combination of the listed parameter values. Its label has the values that distinguish it.
 std::vector<ParameterVariant> variants(const MethodEntry& entry, const Method& found, const Change& change) {
   std::vector<ParameterVariant> result = {{entry.label, Parameters(found.parameters)}};
   for (const auto& [name, values] : entry.parameters) {
@@ -130,7 +130,7 @@ Settings resolve(const Config& config, const std::string& dataset, const MethodE
   return all;
 }
 
-// A plan of more runs would fill the memory; it is a slip of the pen.
+// More runs are most likely a mistake in the config, and their plan would fill the memory.
 constexpr double most_runs = 100000.0;
 
 void check_number(double runs) {
@@ -226,7 +226,7 @@ void match_rows(const Config& config, const std::string& dataset, const MethodEn
   }
 }
 
-// The label that asked for a run first, by the run's name.
+// For the name of each run, the label that asked for it first.
 using Seen = std::map<std::string, std::string>;
 
 // Adds base runs. None of them may be in the plan already.

@@ -19,7 +19,7 @@ bool VertexMatch::all_gave_the_same() const {
                      [this](const Try& attempt) { return attempt.vertices == tries_.front().vertices; });
 }
 
-// From the last try along the slope of the last two. Where these gave the same number, by n ∝ 1/scale², as on a
+// From the last try along the slope of the last two. If all tries gave the same number, by n ∝ 1/scale², as on a
 // surface.
 double VertexMatch::extrapolated_scale() const {
   const Try& last = tries_.back();
@@ -51,7 +51,7 @@ std::optional<double> VertexMatch::next() const {
     if (attempt.vertices < target_ && (few == nullptr || attempt.scale < few->scale)) few = &attempt;
     if (attempt.vertices > target_ && (many == nullptr || attempt.scale > many->scale)) many = &attempt;
   }
-  // They are no bracket if they lie the wrong way round, which happens where the number does not fall steadily.
+  // They are no bracket if `few` is the smaller scale, which happens if the number does not fall steadily.
   if (few == nullptr || many == nullptr || few->scale <= many->scale) return extrapolated_scale();
   // Every other step halves the bracket, because the secant of a convex curve moves only one of its ends.
   const double secant = std::log(many->vertices / target_) / std::log(many->vertices / few->vertices);

@@ -30,7 +30,7 @@ TEST(VertexMatch, FindsTheScaleOfASurfaceAtTheSecondTry) {
 }
 
 TEST(VertexMatch, FollowsNumbersThatDoNotGoWithTheSquare) {
-  // With a floor the number changes less and less; a method may need some vertices for corners, whatever the sizing.
+  // A floor makes the number change less and less; a method may need some vertices for corners, whatever the sizing.
   const auto with_corners = [](double s) { return 4000.0 + 1000.0 / std::pow(s, 1.4); };
   for (const double target : {4100.0, 5500.0, 20000.0, 300000.0}) {
     const VertexMatch match = search(target, with_corners);

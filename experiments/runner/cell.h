@@ -27,7 +27,7 @@ DatasetRecord describe(const Dataset& dataset);
 /// A record with everything that is known before a run: request, environment, time and threads.
 RunRecord begin_record(const RunRequest& request, int threads);
 
-/// The note in a record that this program measured its mesh again, now.
+/// The note in a record that this program has just measured its mesh again.
 MeasuredAgain measured_now();
 
 /// How a run ended.

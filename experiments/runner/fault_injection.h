@@ -1,5 +1,5 @@
-// Fault injection for the tests of the runner. They see what a crash, a hang, a memory hog or an invalid record does
-// without a broken method in the product.
+// Fault injection for the tests of the runner: they cause a crash, a hang, a memory hog or an invalid record, and the
+// product needs no broken method for that.
 #pragma once
 
 #include <filesystem>

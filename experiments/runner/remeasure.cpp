@@ -54,7 +54,7 @@ TriangleMesh stored_mesh(const fs::path& path, const RunRecord& record) {
   if (!fs::exists(path)) throw DataError("mesh.vtp is missing; run it again");
   TriangleMesh mesh = read_mesh(path);
   if (!record.mesh_checksum.empty() && checksum(mesh) != record.mesh_checksum) {
-    throw DataError("mesh.vtp is not the mesh that its record is of (their checksums differ); run it again");
+    throw DataError("mesh.vtp is not the mesh of its record (their checksums differ); run it again");
   }
   return mesh;
 }

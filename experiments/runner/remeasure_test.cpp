@@ -39,8 +39,8 @@ name = "marching-cubes"
   TestFolder folder_;
 };
 
-// To 1e-9: the mesh went through the world's coordinates and back. 1e-9 mm of coordinates around 20 mm are some
-// thousand units in their last place.
+// To 1e-9, because the mesh went to world coordinates and back. 1e-9 mm are about 300,000 units in the last place of a
+// coordinate of 20 mm.
 void expect_same_figures(const Measurement& a, const Measurement& b) {
   for (const FigureDeclaration& figure : declared_figures()) {
     ASSERT_EQ(a.figure(figure.name).has_value(), b.figure(figure.name).has_value()) << figure.name;

@@ -10,8 +10,8 @@
 
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
-#include "isobench/experiments/runner/child.h"
-#include "isobench/experiments/runner/child_outcome.h"
+#include "isobench/experiments/runner/cell_outcome.h"
+#include "isobench/experiments/runner/cell_process.h"
 #include "isobench/experiments/runner/stop_signals.h"
 
 namespace isobench {
@@ -50,7 +50,7 @@ struct Active {
   std::string title;
   std::optional<FileLock> quiet;  // of a timed run
   Claim claim;
-  Child child;
+  CellProcess child;
 };
 
 class Runner {
@@ -108,7 +108,7 @@ class Runner {
     }
   }
 
-  // This program runs nothing else beside a timed run.
+  // This program runs nothing else at the same time as a timed run.
   bool room_for(const RunRequest& request) const {
     if (active_.empty()) return true;
     if (request.alone || active_.front()->request.alone) return false;
@@ -134,7 +134,7 @@ class Runner {
     return std::nullopt;
   }
 
-  // Whether there is nothing to do: the run was done before, or meanwhile by another process. Counts it then.
+  // Whether there is nothing to do: the run was done before, or meanwhile by another process. If so, counts it.
   bool settled(const Pending& next) {
     const RunState state = store_.state(*next.request);
     const bool meanwhile = state != RunState::missing && store_.recorded(*next.request) != next.recorded;
@@ -193,7 +193,7 @@ class Runner {
                                         "--threads",
                                         std::to_string(options_.threads)};
     if (vertices) command.insert(command.end(), {"--match-vertices", fmt::format("{}", *vertices)});
-    Child child(std::move(command), claim->folder() / "log.txt");
+    CellProcess child(std::move(command), claim->folder() / "log.txt");
     console_.detail(title + ": started");
     active_.push_back(
         std::make_unique<Active>(Active{request, title, std::move(quiet), std::move(*claim), std::move(child)}));
@@ -213,7 +213,7 @@ class Runner {
   bool step(Active& active) {
     const double seconds = active.child.seconds();
     if (const std::optional<ChildExit> exit = active.child.poll()) {
-      const ChildOutcome end = outcome_of(active.request, *exit, seconds, active.claim.folder());
+      const CellOutcome end = outcome_of(active.request, *exit, seconds, active.claim.folder());
       if (end.own && exit->code == 3) ++summary_.data;
       store(active, end.record, end.own, seconds);
       return true;
@@ -269,9 +269,9 @@ class Runner {
   void show() {
     if (active_.empty()) return;
     Active& first = *active_.front();
-    const ChildProgress& progress = first.child.progress();
+    const CellProgress& progress = first.child.progress();
     for (const auto& active : active_)
-      active->child.progress();  // empties every pipe, lest the newest progress be lost
+      active->child.progress();  // empties every pipe: a line written to a full one is lost
     const std::string more = active_.size() > 1 ? fmt::format(" (and {} more)", active_.size() - 1) : "";
     console_.update(
         fmt::format("{}  {}  {:.0f} s{}; {}", first.title, progress.stage, first.child.seconds(), more, state()),

@@ -41,7 +41,7 @@ std::string owner_text(const Owner& owner) {
   return fmt::format("{} {} {} {}\n", owner.host, owner.pid, owner.since, owner.job);
 }
 
-// Removes what killed processes left: unfinished files, which are written only under the given lock, and runs.
+// Removes what killed processes left: unfinished runs, and unfinished files, which are written only under this lock.
 void remove_leftovers(const fs::path& folder, const FileLock&) {
   std::vector<std::string> names;
   std::vector<fs::path> files;
@@ -130,8 +130,8 @@ void check_folder(const fs::path& folder, const Config& config) {
                      "); " + remedy);
   }
   if (theirs != identity(config)) {
-    throw UsageError(folder.string() + " holds the results of another config of the name '" + config.name +
-                     "' (see config.toml there), and results of two configs do not mix; " + remedy);
+    throw UsageError(folder.string() + " holds the results of another config with the name '" + config.name +
+                     "' (see its config.toml), and two configs cannot share a folder; " + remedy);
   }
 }
 
@@ -183,13 +183,13 @@ RunState run_state(const fs::path& folder, const RunRequest& request) {
 }
 
 FileLock lock_results(const fs::path& folder) {
-  fs::create_directories(folder / ".locks");  // a copied folder may have come without
+  fs::create_directories(folder / ".locks");  // a copied folder may lack it
   const fs::path path = folder / ".locks" / "store";
   for (int tries = 0; tries < 3600; ++tries) {
     if (std::optional<FileLock> lock = FileLock::try_lock(path)) return std::move(*lock);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  throw Error(path.string() + ": still locked by another process after three minutes");
+  throw Error(path.string() + ": still locked by another process after three minutes; try again later");
 }
 
 Report write_report_locked(const fs::path& folder, ReportParts parts) {

@@ -1,8 +1,8 @@
 // The results folder of one experiment. Several processes may use it at once.
 //
 // A run is written to `.tmp-<run>` under an exclusive lock on `.locks/<run>`, and its folder is renamed when it is
-// complete. The kernel releases the lock of a process that dies: if the lock is free, the temporary folder is left
-// over.
+// complete. The kernel releases the lock of a process that dies, so a temporary folder whose lock is free belongs to a
+// dead process.
 #pragma once
 
 #include <filesystem>
@@ -92,8 +92,8 @@ class Store {
 };
 
 /// The lock for the files beside the runs (plan, tables, results.csv). A process holds it while it reads the runs and
-/// writes the tables, so that the last process to finish writes the runs of all. Waits for the lock; throws Error after
-/// three minutes, which is far more than a report takes.
+/// writes the tables, so that the tables of the last process to finish have the runs of all processes. Waits for the
+/// lock; throws Error after three minutes, which is far more than a report takes.
 FileLock lock_results(const std::filesystem::path& folder);
 /// write_report() under that lock.
 Report write_report_locked(const std::filesystem::path& folder, ReportParts parts);

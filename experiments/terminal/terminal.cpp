@@ -97,7 +97,7 @@ std::string aligned_rows(const std::vector<std::vector<std::string>>& rows, std:
         below ? std::min(row.front().find_first_not_of(' '), row.front().size()) + 4 : last_column;
     if (below) line += "\n" + std::string(indent, ' ');
     line += wrapped(row.back(), indent, width);
-    // No line ends with spaces: neither one with an empty last cell nor one that goes on below.
+    // No line ends with spaces, even if its last cell is empty or stands below it.
     for (std::size_t at = line.find(" \n"); at != std::string::npos; at = line.find(" \n")) line.erase(at, 1);
     line.erase(line.find_last_not_of(" \n") + 1);
     result += line + "\n";

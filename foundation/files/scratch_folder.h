@@ -1,4 +1,4 @@
-// Folders for what is needed only for a while.
+// Folders for temporary files.
 #pragma once
 
 #include <filesystem>

@@ -32,7 +32,7 @@ std::string read_text(const fs::path& path) {
   // Opening a folder succeeds, only reading from it fails.
   std::ifstream file(path, std::ios::binary);
   if (!file || fs::is_directory(path)) throw DataError(path.string() + ": cannot be read");
-  // In one piece of the size that the file says it has: a stream of text would grow by doubling, and be copied.
+  // Reserve memory for the whole file: a text that grows is copied again and again.
   std::string text;
   std::error_code unknown;
   const std::uintmax_t size = fs::file_size(path, unknown);
@@ -65,7 +65,7 @@ void write_text(const fs::path& path, const std::function<void(std::ostream&)>& 
 }
 
 std::string last_lines(const fs::path& path, std::size_t count, std::uintmax_t begin) {
-  constexpr std::streamoff most = 4096;  // however much a program has written
+  constexpr std::streamoff most = 4096;  // bytes; a program may have written far more
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const std::streamoff length = file.tellg();
   file.seekg(std::max({length - most, static_cast<std::streamoff>(begin), std::streamoff{0}}));

@@ -14,7 +14,7 @@ namespace isobench {
 /// same ending; if it is never completed, it is removed when the scope ends.
 class PartialFile {
  public:
-  /// In every temporary name, behind the final one: "mesh.ply.tmp-4711.ply".
+  /// Follows the final name in every temporary name: "mesh.ply.tmp-4711.ply".
   static constexpr const char* mark = ".tmp-";
 
   explicit PartialFile(std::filesystem::path target);

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Descriptors for a child get numbers from here on, so that none of them is in the way of another one's final place.
+// Descriptors for a child get numbers from here on, so that none has a number that another one gets in the child.
 constexpr int first_spare = 10;
 
 Descriptor raised(Descriptor low) {
@@ -260,7 +260,7 @@ std::optional<ChildExit> ChildProcess::poll() {
 
 std::optional<ChildExit> ChildProcess::wait_for(std::chrono::milliseconds time) {
   if (!exit_ && pid_ >= 0) {
-    // Without pidfd_open (before Linux 5.3) this sleeps for the whole time.
+    // Without pidfd_open (before Linux 5.3) this waits for the whole time.
     pollfd watched{ending_.get(), POLLIN, 0};
     ::poll(&watched, 1, static_cast<int>(time.count()));
   }
@@ -284,7 +284,7 @@ void ChildProcess::signal(int number) const {
 
 void ChildProcess::kill() {
   if (pid_ < 0) return;
-  // Its descendants first, some of which may have left its group. While it is stopped it starts no more.
+  // First its descendants, because some may have left its group. While it is stopped, it starts no more.
   ::kill(pid_, SIGSTOP);
   kill_descendants(pid_);
   if (own_group_) ::kill(-pid_, SIGKILL);

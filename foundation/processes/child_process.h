@@ -81,7 +81,7 @@ class ChildProcess {
   std::optional<ChildExit> poll();
   /// The same, but waits for its end for at most that long.
   std::optional<ChildExit> wait_for(std::chrono::milliseconds time);
-  /// Waits for its end, and until nobody holds a stream open that goes to a text.
+  /// Waits for its end, and until all processes have closed the streams that go to a text.
   ChildExit wait();
   /// Sends a signal to the child alone. Does nothing once its end is known.
   void signal(int number) const;

@@ -234,7 +234,7 @@ TEST(ChildProcess, MovingLeavesTheChildAlone) {
     EXPECT_EQ(second.pid(), pid);
     EXPECT_TRUE(second.wait().succeeded());
   }
-  EXPECT_EQ(first.pid(), -1);  // NOLINT(bugprone-use-after-move): what it is left with is looked at
+  EXPECT_EQ(first.pid(), -1);  // NOLINT(bugprone-use-after-move): tests its state after the move
 }
 
 TEST(ChildProcess, WaitingEndsWithTheChildOrAfterTheTime) {

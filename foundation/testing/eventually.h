@@ -7,8 +7,8 @@
 
 namespace isobench {
 
-/// Waits until the condition holds and returns true. Gives up and returns false after a minute, which is far more than
-/// a phantom takes even under a sanitizer.
+/// Waits until the condition holds and returns true. Gives up and returns false after a minute, which is far longer
+/// than a run on a phantom takes, even under a sanitizer.
 inline bool eventually(const std::function<bool()>& condition,
                        std::chrono::steady_clock::duration patience = std::chrono::minutes(1)) {
   const auto start = std::chrono::steady_clock::now();

@@ -15,7 +15,7 @@
 namespace isobench {
 
 /// No file may do harm or make the target print. Files named "good…" must be accepted and all others refused. A corpus
-/// needs both, or it would not try both ways through the target.
+/// needs both kinds, so that both outcomes are tried.
 inline void try_corpus(const std::filesystem::path& folder, bool (*target)(std::string_view)) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());

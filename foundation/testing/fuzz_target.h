@@ -1,12 +1,11 @@
 // Fuzzing. A target is a function `bool isobench::fuzz_<name>(std::string_view bytes)` in a *_fuzz.cpp beside the code
 // that it tries, named in the CMakeLists.txt of its floor. It takes any bytes as input and returns whether they were
 // valid. CMake makes two things from it:
-//   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which searches for harmful inputs
-//   and
-//     starts from those in corpus/<name>/ beside the target;
+//   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which searches for harmful inputs,
+//     starting from those in corpus/<name>/ beside the target;
 //   - the test Corpus.<name>, which tries every file of that corpus in any build.
 // A target may refuse an input with a UsageError or a DataError. Any other exception is a finding. When a finding is
-// mended, its input becomes a file of the corpus.
+// fixed, its input becomes a file of the corpus.
 #pragma once
 
 #include <cstdlib>
@@ -21,7 +20,7 @@
 
 namespace isobench {
 
-/// Reports a finding unless `holds`, which no input may break.
+/// Reports a finding if `holds` is false. It must be true for every input.
 inline void require(bool holds, const std::string& what) {
   if (!holds) throw std::logic_error("required of every input: " + what);
 }
@@ -44,7 +43,7 @@ bool accepts(Body&& body) {
   }
 }
 
-/// Writes the bytes to a file, for targets that read by path, and returns its path. The folder is that of this process.
+/// Writes the bytes to a file, for targets that read by path, and returns its path. Each process has its own folder.
 inline std::filesystem::path fuzz_file(const std::string& name, std::string_view bytes) {
   static const TestFolder folder;
   std::filesystem::path path = folder.path() / name;

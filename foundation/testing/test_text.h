@@ -1,4 +1,4 @@
-// For tests: questions about texts.
+// For tests: counts parts of a text, and splits it into lines.
 #pragma once
 
 #include <cstddef>

@@ -32,7 +32,7 @@ std::optional<double> gaps_left(const Front& front, const Tentative& t);
 /// The angle (radians) of a node's gap about its normal, in [0, 2π).
 double gap_angle(const Front& front, int node);
 
-/// How a triangle lies to the fences round it.
+/// The position of a triangle relative to the fences around it.
 enum class Fence { clear, near, crossed };
 
 /// Checks a triangle against the fences of `edges`. `crossed`: a fence crosses an edge of the triangle or ends in it.

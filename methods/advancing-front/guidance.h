@@ -10,7 +10,7 @@
 namespace isobench::advancing_front {
 
 struct GuidanceOptions {
-  double rho = 0.19634954084936207;  ///< radians, the angle that an edge takes of the tightest circle; 2π/32
+  double rho = 0.19634954084936207;  ///< radians, angle of an edge at the centre of the tightest circle; 2π/32
   double eta = 0.8;                  ///< in (0, 1): steps are ηL at a sample and grow from there with slope 1 − η
   double floor = 0.0;                ///< mm, lower bound on steps
   std::uint64_t seed = 1;            ///< of the jitter

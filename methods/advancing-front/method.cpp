@@ -78,7 +78,7 @@ class Mesher {
   }
 
   /// Starts a front at a promising point, then others wherever the component is still bare: the lattice may have joined
-  /// several components of F = c to one.
+  /// several components of F = c into one.
   void start_on(const Component& component, const Step& step) {
     for (const Eigen::Vector3d& point : starting_points(lattice_mesh_, component, step, task_.seed)) {
       if (is_bare(point, step) && start_at(point, step)) break;
@@ -142,7 +142,7 @@ class Mesher {
     for (const auto& [a, b, c] : front.triangles()) result_.triangles.push_back({first + a, first + b, first + c});
   }
 
-  /// Meshes the components that no front has reached: close to a larger component, a small one looks meshed already.
+  /// Meshes the components that no front has reached. A small component close to a larger one was taken for meshed.
   void mesh_what_was_missed() {
     const auto stage = monitor_.stage("missed");
     std::vector<char> used(vertices_.size(), 0);
@@ -255,7 +255,7 @@ Method method_advancing_front() {
       {"rho",
        0.19634954084936207,
        "radians",
-       "own guidance: angle that an edge takes of the surface's tightest circle",
+       "own guidance: angle that an edge subtends at the centre of the surface's tightest circle",
        0.01,
        1.5,
        {},

@@ -11,14 +11,14 @@ namespace isobench {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-const double cocone_sine =
-    std::cos(3.0 * std::numbers::pi / 8.0);  // sine of the cocone's angle to the tangent plane, π/8
-constexpr double least_height = 1.2;         // of the Voronoi cell of a flat point, times its width
-constexpr double least_agreement = 0.5;      // cosine between the normals of flat neighbours
+// The sine of the cocone's angle to the tangent plane, π/8.
+const double cocone_sine = std::cos(3.0 * std::numbers::pi / 8.0);
+constexpr double least_height = 1.2;     // of the Voronoi cell of a flat point, times its width
+constexpr double least_agreement = 0.5;  // cosine between the normals of flat neighbours
 constexpr double least_wedge = std::numbers::pi / 3.0;
 
-/// The Voronoi edge dual to a facet of a finite cell: from the centre of the cell to `far`; if `ray`, endless in
-/// direction `far`.
+/// The Voronoi edge dual to a facet of a finite cell: from the centre of the cell to the point `far`; if `ray`, endless
+/// in the direction `far`.
 struct DualEdge {
   Eigen::Vector3d from;
   Eigen::Vector3d far;
@@ -46,8 +46,8 @@ void for_each_facet_at(const DelaunayCells& cells, std::uint32_t point, Visit vi
   }
 }
 
-/// Whether part of a dual edge, seen from x, is within the cocone around the plane normal to n. The cosines along the
-/// edge are between those at its ends.
+/// Whether part of a dual edge, seen from x, is within the cocone around the plane normal to n. The sets above and
+/// below the cocone are convex, so an edge with both ends in one of them does not pass the cocone.
 bool passes_cocone(const DualEdge& edge, const Eigen::Vector3d& x, const Eigen::Vector3d& n) {
   const double first = (edge.from - x).normalized().dot(n);
   const double second = edge.ray ? edge.far.dot(n) : (edge.far - x).normalized().dot(n);

@@ -17,7 +17,7 @@ struct Cocone {
     std::uint32_t index;                ///< index of the facet in the cell
     std::array<std::uint32_t, 3> ends;  ///< its vertices
   };
-  std::vector<char> flat;      ///< of each point: whether the surface is flat there
+  std::vector<char> flat;      ///< for each point, whether the surface is flat there
   std::vector<Facet> facets;   ///< candidates that remain after pruning, in the order of their cells
   std::size_t candidates = 0;  ///< number of candidates before pruning
 };

@@ -30,7 +30,7 @@ DelaunayCells delaunay_cells(const std::vector<Eigen::Vector3d>& points) {
   }
   Delaunay delaunay(input.begin(), input.end());
   if (delaunay.dimension() < 3) {
-    throw Error("the points to triangulate lie in a plane; a closed surface needs more of them");
+    throw Error("the points to triangulate lie in one plane; a closed surface needs points outside it");
   }
   delaunay.infinite_vertex()->info() = DelaunayCells::infinite;
   std::uint32_t count = 0;

@@ -17,7 +17,7 @@ struct DelaunayCells {
   std::vector<std::array<std::uint32_t, 4>> vertices;    ///< indices into the points
   std::vector<std::array<std::uint32_t, 4>> neighbours;  ///< indices of cells
   std::vector<Eigen::Vector3d> centres;                  ///< circumcentres; undefined for cells outside the hull
-  std::vector<std::vector<std::uint32_t>> around;        ///< of each point: the cells at it
+  std::vector<std::vector<std::uint32_t>> around;        ///< for each point, the cells at it
 
   std::size_t size() const { return vertices.size(); }
   bool is_infinite(std::size_t cell) const {

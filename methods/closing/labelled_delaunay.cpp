@@ -29,7 +29,7 @@ using CellBase =
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel3, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Cell = Delaunay::Cell_handle;
 
-constexpr const char* too_flat = "the points to triangulate lie in a plane; a closed surface needs more of them";
+constexpr const char* too_flat = "the points to triangulate lie in one plane; a closed surface needs points outside it";
 
 Eigen::Vector3d to_eigen(const Kernel3::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -112,7 +112,7 @@ struct LabelledDelaunay::Triangulation {
     }
   }
 
-  // To be called before remove().
+  // Must be called before remove().
   void insert(const std::vector<Eigen::Vector3d>& added, const std::vector<std::uint32_t>& removed);
   // Renumbers the points that stay. Returns for each of them whether a removed point was beside it, which changed its
   // cells.

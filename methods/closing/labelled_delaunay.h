@@ -18,8 +18,8 @@ namespace isobench {
 
 class LabelledDelaunay {
  public:
-  /// A triangle of the surface and its dual edge, from the circumcentre of the inside cell to that of the outside cell.
-  /// At the convex hull, the dual edge ends at a point well outside across the facet.
+  /// A triangle of the surface and its dual edge, from the circumcentre of the inside cell to the circumcentre of the
+  /// outside cell. At the convex hull, the dual edge ends at a point far outside the facet.
   struct Facet {
     Triangle corners;  ///< indices of points, counter-clockwise seen from outside, least first
     Eigen::Vector3d inside;
@@ -40,7 +40,7 @@ class LabelledDelaunay {
   /// All facets of the surface, sorted by corners, as are the lists below. Time is linear in the number of cells.
   std::vector<Facet> facets() const;
   /// The facets with a corner among `points`, which are ascending. Time is linear in the number of these points, plus
-  /// one byte to clear for every point.
+  /// the time to clear one byte for every point of the triangulation.
   std::vector<Facet> facets_at(const std::vector<std::uint32_t>& points) const;
   std::vector<Triangle> triangles() const;
 
@@ -48,10 +48,10 @@ class LabelledDelaunay {
   /// stay. The points that stay keep their order; the new points come after them. Only new cells, and some others at
   /// the same corners, are labelled again; a label changed by flip_label_at may be lost there.
   ///
-  /// Returns the new indices, ascending, of the points whose cells have changed. A facet without such a corner is as it
-  /// was. Throws Error if the points no longer span a tetrahedron, or if a new point coincides with one that stays; the
-  /// triangulation must not be used after that. Cost: about 50 µs a removed point and 20 µs an added one, on one
-  /// thread.
+  /// Returns the new indices, ascending, of the points whose cells have changed. A facet without such a corner has not
+  /// changed. Throws Error if the points no longer span a tetrahedron, or if a new point coincides with one that stays;
+  /// the triangulation must not be used after that. Cost: about 50 µs per removed point and 20 µs per added point, on
+  /// one thread.
   std::vector<std::uint32_t> replace(const std::vector<std::uint32_t>& removed,
                                      const std::vector<Eigen::Vector3d>& points);
   /// Adds points.

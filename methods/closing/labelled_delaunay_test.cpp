@@ -52,8 +52,8 @@ TEST(LabelledDelaunay, PointsAddedLaterGiveTheSameSurface) {
   EXPECT_EQ(grown.triangles(), LabelledDelaunay(all, surface, monitor).triangles());
 }
 
-// Removes and adds points on one of two spheres, in three steps. The mesh must be that of a new triangulation, and
-// facets away from the changed points must be as before.
+// Removes and adds points on one of two spheres, in three steps. The mesh must equal the mesh of a new
+// triangulation, and facets away from the changed points must be as before.
 TEST(LabelledDelaunay, PointsExchangedGiveTheSameSurface) {
   const Isosurface surface(sample_phantom(phantom("two-spheres"), 48), 0.0);
   Monitor monitor;

@@ -91,7 +91,7 @@ class Walk {
     return piece;
   }
 
-  /// The other facet of the cell of `at` that contains the edge shared by `start` and facet `to` of its cell.
+  /// Facet `to` of start's cell shares an edge with `start`. Returns the other facet of at's cell with this edge.
   std::uint32_t edge_side(const Side& at, const Side& start, std::uint32_t to) const {
     std::uint32_t result = 0;
     const auto& corners = cells_.vertices[start.cell];
@@ -192,8 +192,7 @@ class Walk {
   const std::vector<Eigen::Vector3d>& points_;
   const std::vector<Eigen::Vector3d>& normals_;
   const Cocone& cocone_;
-  std::vector<signed char>
-      turn_;  // of each flat vertex: 1 if its normal points outwards, −1 if inwards, 0 if not known yet
+  std::vector<signed char> turn_;  // flat vertices: 1 if the normal points outwards, −1 if inwards, 0 if not known yet
   std::vector<char> candidate_;
   std::vector<std::uint32_t> piece_;  // of each candidate: the number of its piece, from 1 on
   std::vector<char> walked_;          // sides, each by itself

@@ -1,4 +1,4 @@
-// Extracts a surface from the facets of a cocone: those that a walk along the outer side reaches.
+// Extracts a surface from the facets of a cocone: the facets that a walk along the outer side reaches.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,9 +8,9 @@
 
 namespace isobench {
 
-/// For each facet of each cell, at index 4 · cell + facet and from both its sides, whether it is part of the outer
-/// manifold. In every edge-connected piece, the walk starts outside the piece's lowest vertex and goes at each edge to
-/// the next facet on the same side. So it leaves out flat slivers that are enclosed by facets. It stops at edges with a
+/// For each facet of each cell, at index 4 · cell + facet, whether it is part of the outer manifold; the same from both
+/// sides. In every edge-connected piece, the walk starts outside the piece's lowest vertex and goes at each edge to the
+/// next facet on the same side. So it leaves out flat slivers that are enclosed by facets. It stops at edges with a
 /// single facet.
 ///
 /// A walk could reach the inner side through a hole. To prevent this, the walk remembers the outer side at each flat

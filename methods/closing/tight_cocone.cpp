@@ -48,7 +48,7 @@ bool has_umbrella(const DelaunayCells& cells, const std::vector<char>& manifold,
   return end == spokes[0][0];
 }
 
-/// Marks cells as inside or outside: first from the umbrellas of good points, then by spreading outside.
+/// Marks cells as inside or outside: first from the umbrellas of good points, then by extending the outside.
 class Sides {
  public:
   Sides(const DelaunayCells& cells, const std::vector<char>& manifold, const std::vector<char>& good)
@@ -67,7 +67,7 @@ class Sides {
     return conflicts_;
   }
 
-  /// Spreads outside through transparent cells. Returns the number of transparent cells.
+  /// Extends the outside through transparent cells. Returns the number of transparent cells.
   std::size_t peel(const std::vector<Eigen::Vector3d>& points) {
     std::vector<std::uint32_t> open;
     std::size_t transparent_cells = 0;

@@ -21,18 +21,17 @@ struct TightCocone {
   std::size_t transparent = 0;      ///< finite cells all of whose vertices are bad
 };
 
-/// 1. The cocone facets are reduced to those that a walk along the outer side reaches (outer_walk.h). A point is good
-/// if
-///    these facets form one closed umbrella around it.
+/// 1. Only the cocone facets that a walk along the outer side reaches are kept (outer_walk.h). A point is good if these
+///    facets form one closed umbrella around it.
 /// 2. From the convex hull inwards, the umbrella of each good point separates its cells into inside and outside.
-/// 3. Outside spreads through the cells that have bad vertices only, but not through the facet of such a cell that has
-///    the smallest circumradius.
+/// 3. The outside is extended through cells whose vertices are all bad, but not through that facet of such a cell which
+///    has the smallest circumradius.
 /// 4. The boundary of the cells that are not outside is the surface.
 ///
 /// No edge is open, but an edge may have four facets and a point two umbrellas, and parts may be missing where the
 /// sampling is too sparse. Normals come from the poles, as published. `points` are distinct, mm. Throws Error if they
-/// span no tetrahedron. One thread; the same points in the same order give the same triangles. Cost: about four times
-/// that of the Delaunay triangulation.
+/// span no tetrahedron. One thread; the same points in the same order give the same triangles. Cost: about four
+/// times as much as the Delaunay triangulation.
 TightCocone tight_cocone(const std::vector<Eigen::Vector3d>& points, Monitor& monitor);
 
 /// The same with given unit normals.

@@ -141,7 +141,7 @@ TEST(TightCocone, ClosesAHoleInTheSample) {
   EXPECT_NEAR(facts.volume / whole.volume, 1.0, 0.02);
 }
 
-// Two balls, one of them hollow. Each surface is separate, and that of the cavity is oriented inwards.
+// Two balls, one of them hollow. Each surface is separate, and the cavity's surface is oriented inwards.
 TEST(TightCocone, KeepsPartsAndCavitiesApart) {
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals;
@@ -171,7 +171,6 @@ TEST(TightCocone, KeepsPartsAndCavitiesApart) {
 TEST(TightCocone, ClosesWhateverItIsGiven) {
   std::vector<Eigen::Vector3d> cloud;
   for (std::size_t n = 0; n < 500; ++n) {
-    using particles::uniform;
     cloud.emplace_back(uniform_random(1, n, 0), uniform_random(1, n, 1), uniform_random(1, n, 2));
   }
   Monitor monitor;

@@ -1,6 +1,6 @@
 // The Voronoi cells of points on a surface, restricted to a Delaunay mesh of the points: the perpendicular bisectors of
-// a triangle's edges divide the triangle among its corners. The circumcentre of an obtuse triangle is beyond an edge;
-// the part beyond counts negative in the neighbouring triangle, so areas still add up.
+// a triangle's edges divide the triangle among its corners. The circumcentre of an obtuse triangle is beyond its
+// longest edge; parts beyond that edge count as negative, so that the shares still add up to the triangle's area.
 #pragma once
 
 #include <Eigen/Core>

@@ -56,8 +56,8 @@ TEST(CvtMethod, MeshesPhantomsClosedAndWellShaped) {
   }
 }
 
-// The edges are longer than the sheets are thick and apart. So the cure adds sites, and h is made smaller around them,
-// without which the triangles there would stay bad.
+// The edges are longer than the sheets are thick and apart, so the cure adds sites. h is made smaller around them;
+// otherwise the triangles there would stay bad.
 TEST(CvtMethod, RefinesWhereSheetsAreNearerThanTheEdgesAreLong) {
   const Isosurface surface = surface_of("thin-sheets", 96);
   SizingRequest request;

@@ -31,7 +31,7 @@ DelaunayMesh::DelaunayMesh(std::vector<Triangle> triangles, std::size_t points)
   std::vector<Edge> edges;
   edges.reserve(across_.size());
   std::vector<std::uint32_t> count(points, 0);
-  std::vector<std::uint32_t> some(points, none);  // of each point: a half-edge opposite to it
+  std::vector<std::uint32_t> some(points, none);  // for each point, one half-edge opposite to it
   for (std::uint32_t half = 0; half < across_.size(); ++half) {
     const std::uint32_t from = corner(turn(half, 1)), to = corner(turn(half, 2));
     edges.push_back({std::min(from, to), std::max(from, to), half, from < to});
@@ -55,7 +55,7 @@ DelaunayMesh::DelaunayMesh(std::vector<Triangle> triangles, std::size_t points)
       ++walked;
       half = across_[turn(half, 1)];
       if (half == none) break;
-      half = turn(half, 1);  // the start of the edge before is now opposite
+      half = turn(half, 1);  // opposite to the point again, in the next triangle
     } while (half != some[point]);
     pinched_[point] = half == none || walked != count[point] ? 1 : 0;
   }

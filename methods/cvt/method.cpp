@@ -97,7 +97,7 @@ class Mesher {
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
   const auto field = task.sizing_field(monitor);
-  constexpr double delta = 0.3;  // how fast h rises away from where it is made smaller, mm a mm
+  constexpr double delta = 0.3;  // slope of h around a place where it is made smaller
   const double contraction = task.sizing.uniform() ? 1.0 : task.parameters.number("contraction");
   particles::SizedSurface sized(task.surface, *field, contraction, delta);
   return Mesher(task, sized, monitor).mesh();

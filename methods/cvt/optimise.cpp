@@ -185,7 +185,7 @@ class Optimiser {
         return;
       }
     }
-    // The remembered steps are of no use here. Restarts with a step of Lloyd's.
+    // The remembered steps are of no use here. Forget them, and take a step of Lloyd's.
     history_.forget();
     sites_ = start;
     update_cells();

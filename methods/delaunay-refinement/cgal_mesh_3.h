@@ -18,8 +18,8 @@
 
 namespace isobench::delaunay_refinement {
 
-// The concept MeshDomain_3 asks for std::optional from CGAL 6 on. CGAL has no name for the type but those of its own
-// domains, whose headers take longer to compile than the mesher's.
+// The concept MeshDomain_3 asks for std::optional from CGAL 6 on. Only CGAL's own domains have a name for the type, and
+// their headers take longer to compile than the mesher's.
 #if CGAL_VERSION_NR < 1060000000
 template <class Value>
 using MeshOptional = boost::optional<Value>;

@@ -1,4 +1,4 @@
-// What CGAL's two surface meshers share here: their questions about F = c, and how their facets become a mesh.
+// Shared by CGAL's two surface meshers: their queries about F = c, and the conversion of their facets to a mesh.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

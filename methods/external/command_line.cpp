@@ -129,7 +129,7 @@ std::vector<std::string> placeholders_in(const std::string& word) {
 std::string filled(const std::string& word, const std::map<std::string, Value>& values) {
   return replaced(word, [&values](const Placeholder& placeholder) {
     const auto value = values.find(placeholder.name);
-    if (value == values.end()) throw UsageError("nothing is known as {" + placeholder.name + "}");
+    if (value == values.end()) throw UsageError("unknown placeholder {" + placeholder.name + "}");
     return text_of(value->second, placeholder);
   });
 }

@@ -8,8 +8,8 @@ namespace isobench::external {
 
 namespace {
 
-// Kills and reaps what a program left running. The kernel makes its orphans children of this process, which asks for
-// that here. Children that this process had before are spared.
+// Kills and reaps what a program left running. It asks the kernel to make orphans children of this process.
+// Children that this process had before are spared.
 class OrphanReaper {
  public:
   OrphanReaper() : before_(descendants(getpid())) { prctl(PR_SET_CHILD_SUBREAPER, 1); }

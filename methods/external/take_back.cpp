@@ -88,8 +88,8 @@ TriangleMesh closed(Points points, const Isosurface& surface, Monitor& monitor) 
   return mesh;
 }
 
-// Programs differ in the orientation of triangles and in which side they call inside. So turn each component of which
-// the larger part of the area faces inwards.
+// Programs differ in the orientation of triangles and in which side they call inside. So turn each component if the
+// larger part of its area faces inwards.
 void face_outwards(TriangleMesh& mesh, const Isosurface& surface, Monitor& monitor) {
   const std::vector<std::uint32_t> roots = component_roots(mesh);
   std::map<std::uint32_t, double> outward;  // area that faces outwards less area that faces inwards, by component

@@ -30,11 +30,11 @@ class Remesher {
     return mesh;
   }
 
-  /// Varies the length until the number of vertices is within 1.5 % of the requested one. Neighbouring lengths differ
-  /// by about 1 % in it.
+  /// Varies the length until the number of vertices is within 1.5 % of the requested one. The tolerance cannot be much
+  /// smaller: nearly equal lengths give numbers that differ by about 1 %.
   TriangleMesh to_number(double edge_length, double vertices) {
     constexpr double tolerance = 0.015;
-    constexpr double usual = 1.08;  // target length over that of equally many equilateral triangles; spheres and tori
+    constexpr double usual = 1.08;  // target length over that of as many equilateral triangles; from spheres and tori
     constexpr int most = 8;
     edge_length *= usual;
     TriangleMesh mesh = to_length(edge_length);

@@ -1,4 +1,4 @@
-// One bit for each lattice node: whether it is inside the object. This is all that marching cubes needs of most nodes.
+// One bit for each lattice node: whether it is inside the object. For most nodes, marching cubes needs nothing else.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ class LatticeSigns {
   Word next(int w, int j, int k) const { return word(w, j, k) >> 1 | word(w + 1, j, k) << 63; }
   unsigned bit(int i, int j, int k) const { return word(i / 64, j, k) >> (i % 64) & 1U; }
 
-  /// The x-, y- and z-edges that start in word w of a row and have different signs at their ends. Precondition: row
-  /// j + 1 or slab k + 1 exists.
+  /// The x-, y- and z-edges that start in word w of a row and have different signs at their ends. Precondition
+  /// for y and z: row j + 1 or slab k + 1 exists.
   Word x_crossings(int w, int j, int k) const { return (word(w, j, k) ^ next(w, j, k)) & edge_mask(w); }
   Word y_crossings(int w, int j, int k) const { return word(w, j, k) ^ word(w, j + 1, k); }
   Word z_crossings(int w, int j, int k) const { return word(w, j, k) ^ word(w, j, k + 1); }

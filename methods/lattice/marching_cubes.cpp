@@ -42,8 +42,8 @@ struct SlabEdges {
   explicit SlabEdges(std::size_t nodes) : x(nodes), y(nodes) {}
 };
 
-/// The numbers of vertices and triangles in the slabs before slab k. The vertices of slab k are first those of its x-
-/// and y-edges, row by row, and then those of the z-edges to slab k + 1.
+/// The numbers of vertices and triangles in the slabs before slab k. In slab k, the vertices on its x- and y-edges
+/// come first, row by row; then the vertices on the z-edges to slab k + 1.
 struct Numbering {
   std::vector<std::size_t> vertices, z_vertices, triangles;
 };

@@ -15,8 +15,8 @@ namespace isobench {
 ///
 /// Triangles come from VTK's table of 256 cases, which is consistent across faces. So the mesh is closed except where
 /// the object leaves the lattice. Degenerate triangles are kept. The order of vertices and triangles follows the
-/// lattice, so the mesh does not depend on the number of threads. Throws Cancelled. Cost: two 3-tap filters a node and
-/// four evaluations of f a vertex. Memory: one bit a node, and two slabs of values a thread.
+/// lattice, so the mesh does not depend on the number of threads. Throws Cancelled. Cost: two 3-tap filters per node
+/// and four evaluations of f per vertex. Memory: one bit per node, and vertex numbers for two slabs per thread.
 TriangleMesh marching_cubes(const Isosurface& surface, Monitor& monitor);
 
 }  // namespace isobench

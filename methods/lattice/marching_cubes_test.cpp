@@ -53,8 +53,8 @@ TEST_P(MarchingCubesPhantom, IsClosedOutwardAndOfTheRightTopologyAreaAndVolume) 
   EXPECT_GT(facts.volume, 0.0);
   if (!p.area || !p.volume) return;
   // The spline moves the surface inwards by (k1 + k2) voxel²/6. This reduces the volume by voxel²/6 ∫(k1 + k2) and, by
-  // Gauss and Bonnet for a constant k1 + k2, the area by voxel²/3 · 2πχ: less than 0.6 % and 0.3 % at half a millimetre
-  // a voxel. Chords as long as a voxel reduce both by as much again.
+  // Gauss and Bonnet for a constant k1 + k2, the area by voxel²/3 · 2πχ: less than 0.6 % and 0.3 % with voxels of half
+  // a millimetre. Chords as long as a voxel reduce both by as much again.
   EXPECT_NEAR(facts.volume / *p.volume, 1.0, 0.008);
   EXPECT_NEAR(facts.area / *p.area, 1.0, 0.006);
 }

@@ -34,7 +34,8 @@ class BoxTree {
   std::size_t size() const { return order_.size(); }
 
   /// Calls f(a, b) with the indices of two boxes that overlap or touch: a is the box at position `place` of the tree's
-  /// order, b one at a later position. Calls for all positions visit each pair once; they may run in parallel.
+  /// order, b is at a later position. If this is called for all positions, each pair is visited once; the calls may run
+  /// in parallel.
   template <typename Function>
   void overlapping_later(std::size_t place, Function&& f) const {
     descend(levels_.size() - 1, 0, place, f);

@@ -1,4 +1,4 @@
-// Figures of a mesh for the tests of methods, which cannot include metrics/: that floor stands above methods/.
+// Figures of a mesh for the tests of methods, which cannot include metrics/: that floor is above methods/.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -35,7 +35,7 @@ Shared shared_corners(const Triangle& a, const Triangle& b) {
       shared.in_first[static_cast<std::size_t>(shared.count)] = i;
       shared.in_second[static_cast<std::size_t>(shared.count)] = j;
       ++shared.count;
-      break;  // the corners of a triangle with area are three vertices
+      break;  // a triangle with area has three different vertices
     }
   }
   return shared;

@@ -25,7 +25,7 @@ struct Lattice;
 TriangleMesh to_world(TriangleMesh mesh, const Lattice& lattice);
 TriangleMesh to_local(TriangleMesh mesh, const Lattice& lattice);
 
-/// For each vertex, the smallest vertex of its component: of all vertices that triangles connect it to.
+/// For each vertex, the smallest index in its component, which is all vertices that triangles connect it to.
 std::vector<std::uint32_t> component_roots(const TriangleMesh& mesh);
 
 /// Removes the vertices that no triangle uses, with their data, and returns their number. The others keep their order.

@@ -71,7 +71,8 @@ void write_bytes(const std::string& bytes, const std::filesystem::path& path) {
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) throw Error(path.string() + ": cannot be written; does its folder exist, writable and with free space?");
+  if (!file)
+    throw Error(path.string() + ": cannot be written; check that its folder exists, is writable and has free space");
 }
 
 void bad_mesh(const std::filesystem::path& path, const std::string& message) {

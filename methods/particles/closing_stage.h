@@ -6,9 +6,9 @@
 
 namespace isobench::particles {
 
-/// Closes the particles as the parameter `surface` says. `labelled-delaunay` is cured first (stage "cure"), which adds
-/// bounds to `sized` and changes the particles. Counters "cocone/…" or "cure/…", and "particles/unused" for particles
-/// without a triangle.
+/// Closes the particles as the parameter `surface` says. With `labelled-delaunay`, the cure (stage "cure") adds bounds
+/// to `sized` and changes the particles. Counters "cocone/…" or "cure/…", and "particles/unused" for particles without
+/// a triangle.
 TriangleMesh close_particles(const MeshingTask& task, SizedSurface& sized, const TriangleMesh& lattice_mesh,
                              Particles particles, Monitor& monitor);
 

@@ -21,19 +21,19 @@ struct Preset {
   double cure_relaxations = 0.0;  ///< maximum number of rounds that add particles and relax their surroundings
   double gradation = 100.0;       ///< upper bound on δ
   double critical_floor = 100.0;  ///< voxels: least h near critical points of F; no effect at or above the floor
-  double finish = 0.0;            ///< rounds of improving valences and shapes
+  double finish = 0.0;            ///< rounds that improve valences and shapes
 };
 
-/// The parameters of a method whose defaults are those of the preset.
+/// The parameters of the pipeline, with the preset's defaults.
 ParameterSchema pipeline_parameters(const Preset& preset);
 
 /// Stages of the monitor, in order: "sizing" (sizing_stage.h), "critical points" (only with an adaptive sizing),
 /// "seeds", "relaxation", "triangulation" (with "cure" inside it, if there is a cure) and "finish" (if it has rounds).
 ///
-/// Traces: "energy" once a sweep, "particles" after each population control, with `gauss-seidel` also "moves" once a
-/// sweep, and "finish/places improved" once a local search of the finish. Artefacts: "particles" with "h" and "energy",
-/// "floor-places" with "distance" and "falling" where the sizing is adaptive, and those of the sizing. Throws Error if
-/// the particles span no tetrahedron.
+/// Traces: "energy" after each sweep, "particles" after each population control, with `gauss-seidel` also "moves" after
+/// each sweep, and "finish/places improved" after each local search of the finish. Artefacts: "particles" with "h" and
+/// "energy"; with an adaptive sizing, also "floor-places" with "distance" and "falling"; and the sizing's artefacts.
+/// Throws Error if the particles span no tetrahedron.
 TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor);
 
 }  // namespace isobench::particles

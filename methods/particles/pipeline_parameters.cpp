@@ -21,36 +21,36 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"axis_halvings",
        2.0,
        "",
-       "foot-points only: number of times the lattice is halved near the surface; 0 as published",
+       "foot-points only: number of times the lattice spacing is halved near the surface; 0 as published",
        0.0,
        3.0,
        {},
        true},
       stage("sizing_nodes", preset.sizing_nodes,
-            "points at which h0 is computed: where lattice nodes project to the surface, or the nodes that bound the "
-            "surface",
+            "points at which h0 is computed: projections of lattice nodes to the surface, or the corners of the cells "
+            "that the surface crosses, as published",
             {"projected", "bounding"}),
       stage("limiter", preset.limiter,
             "method that limits the gradient of the sizing: fast iterative, or explicit iteration as published",
             {"fast-iterative", "iteration"}),
       stage("seeds", preset.seeds,
-            "particles at the start: sample elimination at the density of the sizing, or every fourth vertex of "
-            "marching cubes",
+            "start positions of the particles: sample elimination at the density of the sizing, or every fourth vertex "
+            "of marching cubes as published",
             {"elimination", "marching-cubes"}),
       stage("relaxation", preset.relaxation,
             "method that moves particles and controls their number: Newton steps, or Gauss-Seidel as published",
             {"newton", "gauss-seidel"}),
       stage("surface", preset.surface,
-            "triangulation of the particles: Delaunay labelled by the sign of F, or Tight Cocone as published",
+            "triangulation of the particles: Delaunay with cells labelled inside or outside, or Tight Cocone as "
+            "published",
             {"labelled-delaunay", "tight-cocone"}),
       stage("normals", "poles", "tight-cocone only: normals from the Voronoi diagram, or from the gradient of F",
             {"poles", "gradient"}),
       {"cure",
        preset.cure,
        "",
-       "labelled-delaunay only: maximum number of rounds that add particles where the topology is not that of the "
-       "surface, "
-       "after the cure_relaxations; 0 switches the cure off",
+       "labelled-delaunay only: maximum number of rounds, after the cure_relaxations, that only add particles where "
+       "the topology is wrong; 0 switches the whole cure off",
        0.0,
        100.0,
        {},
@@ -58,9 +58,8 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"cure_relaxations",
        preset.cure_relaxations,
        "",
-       "cure only: maximum number of rounds that also make h smaller around defects and relax the particles there, "
-       "before "
-       "plain insertion",
+       "cure > 0 only: maximum number of rounds, before plain insertion, that add particles, make h smaller around "
+       "defects and relax the particles there",
        0.0,
        100.0,
        {},
@@ -68,7 +67,8 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"finish",
        preset.finish,
        "",
-       "rounds of improving valences and triangle shapes of the mesh; 0 leaves the triangulation as it is",
+       "number of rounds that improve the valences and triangle shapes of the mesh; 0 leaves the triangulation as it "
+       "is",
        0.0,
        100.0,
        {},
@@ -111,7 +111,7 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"split_below",
        PopulationLimits{}.split_below,
        "ideal energy",
-       "newton and cure: a particle with less energy gets a new neighbour in its widest gap",
+       "newton and cure only: a particle with less energy gets a new neighbour in its widest gap",
        0.0,
        1.0,
        {},
@@ -119,7 +119,7 @@ ParameterSchema pipeline_parameters(const Preset& preset) {
       {"delete_above",
        PopulationLimits{}.delete_above,
        "ideal energy",
-       "newton and cure: a particle with more energy is deleted",
+       "newton and cure only: a particle with more energy is deleted",
        1.0,
        100.0,
        {},

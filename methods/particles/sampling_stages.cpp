@@ -28,8 +28,8 @@ void record_change(const PopulationChange& change, std::size_t count, Monitor& m
   monitor.trace("particles", static_cast<double>(count));
 }
 
-/// Brings the number of particles near the ideal one. Lattice seeds are as many as the lattice gives, and the few
-/// population controls of the newton relaxation cannot make up for that.
+/// Brings the number of particles near the ideal one. The number of lattice seeds depends on the lattice instead of the
+/// sizing, and the few population controls of the newton relaxation cannot correct it.
 void approach_ideal_count(const MeshingTask& task, const SizedSurface& sized, Particles& particles, Monitor& monitor) {
   constexpr int sweeps = 5;
   for (std::uint64_t round = 0; round < most_rounds; ++round) {

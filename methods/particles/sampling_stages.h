@@ -13,7 +13,7 @@ namespace isobench::particles {
 PopulationLimits population_limits(const MeshingTask& task);
 
 /// Particles at the start, from the parameter `seeds`, and more of them near the critical points. Counter
-/// "particles/seeds". Precondition: the first bounds of `sized` are those of the points below the floor.
+/// "particles/seeds". Precondition: the first bounds of `sized` belong to the points `below_floor`.
 Particles seed_particles(const MeshingTask& task, const SizedSurface& sized, const TriangleMesh& lattice_mesh,
                          const std::vector<CriticalPoint>& below_floor, Monitor& monitor);
 

@@ -32,8 +32,8 @@ std::shared_ptr<const SizingField> limited_further(const SizingField& field, dou
                                              field.floor_length());
 }
 
-/// Records the critical points at which equation 1 asks for less than the sizing's floor, and how many of them ask for
-/// less than `least_h` as well.
+/// Records the critical points where the h of equation 1 is below the sizing's floor, and for how many of them it is
+/// also below `least_h`.
 void record_floor_places(const std::vector<CriticalPoint>& points, double floor, double epsilon, double least_h,
                          Monitor& monitor) {
   std::size_t count = 0;

@@ -11,14 +11,14 @@
 
 namespace isobench::particles {
 
-/// Whether the method computes its field in another way than the field by which all methods are measured.
+/// Whether the parameters ask for a field other than the one by which all methods are measured.
 bool has_own_sizing(const MeshingTask& task);
 
 /// The field that particles follow. Stage "sizing". The mesh is measured against the task's own field in any case.
 std::shared_ptr<const SizingField> follow_sizing(const MeshingTask& task, Monitor& monitor);
 
 /// The critical points of F at which the features that decide the topology are smaller than the sizing's floor. Empty
-/// where `critical_floor` does not allow smaller sizes, or the sizing is uniform. Stage "critical points"; counters
+/// if `critical_floor` does not allow smaller sizes, or if the sizing is uniform. Stage "critical points"; counters
 /// "floor/places" and "floor/places left"; artefact "floor-places".
 std::vector<CriticalPoint> critical_points_below_floor(const MeshingTask& task, const SizingField& field,
                                                        Monitor& monitor);

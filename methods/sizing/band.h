@@ -11,8 +11,8 @@
 
 namespace isobench {
 
-/// A set of lattice nodes with consecutive numbers. Nodes are stored in bricks of 4³ with one 64-bit mask a brick, so a
-/// node's number is the brick's offset plus a population count. Memory: 16 bytes a brick and 12 bytes a node.
+/// A set of lattice nodes with consecutive numbers. Nodes are stored in bricks of 4³ with one 64-bit mask per brick, so
+/// a node's number is the brick's offset plus a population count. Memory: 12 bytes a brick and 12 bytes a node.
 class Band {
  public:
   /// All nodes within `margin` nodes, along each axis, of a cell whose corners differ in sign. `margin` = 0 gives only

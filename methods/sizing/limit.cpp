@@ -17,7 +17,7 @@ class Upwind {
  public:
   /// Adds a neighbour with value `value` at distance s, where `inverse_square` is 1/s². Returns U.
   double add(double value, double inverse_square, double delta) {
-    if (weight_ == 0.0) base_ = value;  // values are relative to this one, so that the quadratic does not cancel
+    if (weight_ == 0.0) base_ = value;  // values are relative to this one, to avoid cancellation in the quadratic
     const double u = value - base_;
     if (weight_ > 0.0 && solution_ <= u) return base_ + solution_;
     weight_ += inverse_square;
@@ -124,8 +124,8 @@ class ActiveNodes {
   const Band& band_;
   std::vector<double> h_;
   std::vector<double> next_;
-  std::vector<std::uint8_t> active_;  // of each node: a neighbour has changed
-  std::vector<std::uint8_t> blocks_;  // of each `block` nodes: one of them is active
+  std::vector<std::uint8_t> active_;  // for each node: whether a neighbour has changed
+  std::vector<std::uint8_t> blocks_;  // for each `block` nodes: whether one of them is active
   double delta_;
   std::array<double, 3> inverse_square_{};
 };

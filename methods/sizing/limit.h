@@ -23,8 +23,8 @@ LatticeNeighbours lattice_neighbours(const Band& band, std::size_t n);
 /// Σ max(0, (U − u)/s)² = δ² over *all* lower neighbours u, up to six, at distances s. The usual scheme takes only the
 /// smaller neighbour of each axis and has another fixed point.
 ///
-/// `h0` and the result have one value a band node, mm. The result does not depend on the number of threads. Cost: up to
-/// a dozen visits a node where sizes vary widely, on all threads; 20 bytes a node while it runs.
+/// `h0` and the result have one value per band node, mm. The result does not depend on the number of threads. Cost: up
+/// to a dozen visits a node where sizes vary widely, on all threads; 20 bytes a node while it runs.
 std::vector<float> limit_gradient(const Band& band, const std::vector<float>& h0, double delta, Monitor& monitor);
 
 /// The same field as published: iterates equation 2 on all nodes at once, with Δt = a sixth of the smallest node

@@ -26,7 +26,7 @@ std::vector<float> bumpy_field(const Band& band) {
 
 Isosurface small_surface(const std::string& name, const Eigen::Vector3d& stretch) {
   FloatVolume volume = sample_phantom(phantom(name), 24);
-  // One voxel a unit, so that the field varies over a few nodes.
+  // Voxels of about one unit, so that the field varies over a few nodes.
   volume.lattice.spacing = stretch;
   return Isosurface(std::move(volume), 0.0);
 }

@@ -88,7 +88,7 @@ std::vector<float> initial_field(const Isosurface& surface, const Band& band, co
   return h0;
 }
 
-/// Records how the sizes from foot points differ from those of shrinking balls: as counters and as an artefact.
+/// Records how sizes from foot points differ from sizes from shrinking balls, as counters and as an artefact.
 void show_difference(const SurfaceSamples& samples, const MedialBalls& feet, double voxel, double cap,
                      Monitor& monitor) {
   const auto stage = monitor.stage("difference");

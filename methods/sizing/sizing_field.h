@@ -1,6 +1,5 @@
 // The sizing field: h0, the largest edge length that feature size and curvature allow, and h, which is h0 with its
-// gradient limited
-// (Meyer, Kirby, Whitaker 2007, section 3.2, equations 1–3).
+// gradient limited (Meyer, Kirby, Whitaker 2007, section 3.2, equations 1–3).
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +19,7 @@ struct SizingRequest {
   std::optional<double> delta;        ///< > 0: |∇h| ≤ δ
   double floor = 0.5;                 ///< voxels: lower bound on h0
   std::optional<double> edge_length;  ///< mm: the same length everywhere
-  std::optional<double> vertices;     ///< number of vertices at one length everywhere
+  std::optional<double> vertices;     ///< number of vertices, with the same length everywhere
 
   bool uniform() const { return !epsilon.has_value(); }
 };
@@ -38,7 +37,7 @@ class SizingField {
  public:
   /// A uniform field.
   explicit SizingField(double edge_length) : uniform_length_(edge_length) {}
-  /// A field on a band; h0 and h have one value a band node.
+  /// A field on a band; h0 and h have one value per band node.
   SizingField(std::shared_ptr<const Band> band, std::vector<float> h0, std::vector<float> h, double floor);
 
   bool uniform() const { return band_ == nullptr; }

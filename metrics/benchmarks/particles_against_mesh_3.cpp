@@ -3,11 +3,11 @@
 //
 //   particles_against_mesh_3 [--dataset skull-small] [--vertices 50000] [--runs 5] [--threads N]
 //
-// All contestants run in turn, `runs` times over, so that whatever slows the machine down slows all of them down. What
-// is compared are the medians of wall seconds, from the prepared volume in memory to the finished mesh, and of CPU
-// seconds (user and system, of all threads), which say more where a machine has other work. Mesh_3 is told the edge
-// length at which it makes that number of vertices; finding it is not counted. The fourth contestant is one Delaunay
-// triangulation of the vertices of `particles`, the least that a method of its kind has to do.
+// All contestants run in turn, `runs` times, so that other work on the machine slows all of them down. The tool
+// compares the medians of wall seconds, from the prepared volume in memory to the finished mesh, and of CPU seconds
+// (user and system, of all threads), which say more if the machine has other work. Mesh_3 gets the edge length at which
+// it makes that number of vertices; the search for it is not counted. The fourth contestant is one Delaunay
+// triangulation of the vertices of `particles`, the least work that a method of its kind needs.
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -78,7 +78,7 @@ TriangleMesh mesh_by(const std::string& name, const std::map<std::string, Parame
   return method.mesh(MeshingTask(surface, sizing, std::move(parameters), 1), monitor);
 }
 
-/// The edge length at which Mesh_3 comes within 1 % of a number of vertices.
+/// The edge length at which the number of vertices of Mesh_3 is within 1 % of `vertices`.
 SizingRequest length_for_mesh_3(const Isosurface& surface, double vertices) {
   SizingRequest number;
   number.vertices = vertices;
@@ -95,7 +95,7 @@ SizingRequest length_for_mesh_3(const Isosurface& surface, double vertices) {
   return length;
 }
 
-/// The triangulation alone: what comes back is empty.
+/// Makes the triangulation and returns an empty mesh.
 TriangleMesh delaunay_of(const std::vector<Eigen::Vector3d>& vertices) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> points;
@@ -172,8 +172,12 @@ int main(int argc, char** argv) {
   app.add_option("--dataset", options.dataset, "a name of `isobench list datasets`, or a manifest")
       ->capture_default_str();
   app.add_option("--vertices", options.vertices)->check(CLI::Range(100.0, 1e8))->capture_default_str();
-  app.add_option("--runs", options.runs, "of each, in turn")->check(CLI::Range(1, 1000))->capture_default_str();
-  app.add_option("--threads", options.threads, "at most; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+  app.add_option("--runs", options.runs, "runs of each contestant, in turn")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "maximum number of threads; 0: all")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
     const auto all = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);

@@ -1,7 +1,7 @@
 // Distance of a mesh to the surface F = c, at the vertices, edge midpoints and centroids of the triangles. Newton's
-// steps along the gradient lead from a point to the surface; the distance is to the place that they reach. A triangle's
-// mean weighs the points by 1/20, 2/15 and 9/20 each, which is exact where the distance is cubic; the mesh's mean
-// weighs triangles by area. Distances below 1e-6 voxel count as 0.
+// steps along the gradient go from a point to the surface; the distance is that to the point reached. A triangle's mean
+// weighs a vertex by 1/20, an edge midpoint by 2/15 and the centroid by 9/20, which is exact where the distance is
+// cubic; the mesh's mean weighs triangles by area. Distances below 1e-6 voxel count as 0.
 #pragma once
 
 #include <cstddef>

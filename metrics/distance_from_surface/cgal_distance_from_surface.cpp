@@ -1,4 +1,4 @@
-// CGAL 6 has new names for two of these headers and warns of the old ones, the only ones that CGAL 5 has.
+// CGAL 6 renamed two of these headers and warns of the old names, but CGAL 5 has only those.
 #define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -19,14 +19,14 @@ namespace isobench {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;  // distances are constructions: nothing is decided by their last bits
+using Kernel = CGAL::Simple_cartesian<double>;  // inexact: no decision depends on the last bits of a distance
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Kernel::Point_3 point(const Eigen::Vector3d& x) { return {x[0], x[1], x[2]}; }
 
-/// Those with area.
+/// The triangles with area.
 Triangles triangles_of(const TriangleMesh& mesh) {
   Triangles triangles;
   triangles.reserve(mesh.triangles.size());
@@ -37,7 +37,7 @@ Triangles triangles_of(const TriangleMesh& mesh) {
   return triangles;
 }
 
-/// Places on F = c and what area each stands for.
+/// Points on F = c, and the area that each stands for.
 struct Places {
   std::vector<Eigen::Vector3d> x;
   std::vector<double> area;
@@ -83,7 +83,7 @@ DistanceFromSurface measure_distance_from_surface(const TriangleMesh& mesh, cons
   if (triangles.empty()) return {surface.extent().norm(), surface.extent().norm()};
   Tree tree(triangles.begin(), triangles.end());
   tree.build();
-  tree.accelerate_distance_queries();  // now, not at the first question, which many threads ask
+  tree.accelerate_distance_queries();  // now, because many threads would make the first query at once
   const Places places = places_on(surface, monitor);
   std::vector<double> distance(places.x.size());
   tbb::parallel_for(std::size_t{0}, places.x.size(), [&](std::size_t n) {

@@ -14,10 +14,11 @@ struct DistanceFromSurface {
 };
 
 /// Taken at the vertices of marching cubes on the data's lattice, which lie on F = c, and at the centroids of its
-/// triangles, projected to F = c. These points are at most a voxel apart. A triangle's mean weighs them by 1/12 and 3/4
-/// each, which is exact where the distance is quadratic. Of more than a million triangles, a million spread evenly are
-/// used. The distance is to the nearest point of any triangle with area; if the mesh has none, it is the length of the
-/// volume's diagonal. Throws Cancelled. Cost: one tree over the triangles and some microseconds a point, all threads.
+/// triangles, projected to F = c. These points are at most a voxel apart. A triangle's mean weighs a vertex by 1/12 and
+/// the centroid by 3/4, which is exact where the distance is quadratic. If there are more than a million triangles,
+/// every n-th is used, so that at most a million are. The distance is to the nearest point of any triangle with area;
+/// if the mesh has none, it is the length of the volume's diagonal. Throws Cancelled. Cost: one tree over the triangles
+/// and some microseconds a point, all threads.
 DistanceFromSurface measure_distance_from_surface(const TriangleMesh& mesh, const Isosurface& surface,
                                                   Monitor& monitor);
 

@@ -25,8 +25,8 @@ TEST(DistanceFromSurface, ConstantOffsetFromAPlane) {
   EXPECT_NEAR(figures.max, 0.3, 1e-6);
 }
 
-// The other way round this mesh is perfect. The distance is linear but for the lattice line where the mesh ends, so its
-// mean is exact: (0 · 10 + 5 · 10)/20.
+// The distance of this mesh to the surface is 0. That of the surface to the mesh is linear on both sides of the lattice
+// line where the mesh ends, so its mean is exact: (0 · 10 + 5 · 10)/20.
 TEST(DistanceFromSurface, SeesWhatIsMissing) {
   Monitor monitor;
   const DistanceFromSurface figures = measure_distance_from_surface(rectangle(10.0, 10.25), plane(), monitor);
@@ -34,8 +34,8 @@ TEST(DistanceFromSurface, SeesWhatIsMissing) {
   EXPECT_NEAR(figures.max, 10.0, 1e-6);
 }
 
-// A cube in a ball of radius r: the farthest is over the middle of a face, r(1 − 1/√3). The spline moves the surface by
-// voxel²/6 · κ = 0.014 mm and places are half a voxel apart, where the distance falls by less than 0.02 mm.
+// A cube in a ball of radius r: the sphere is farthest over the middle of a face, by r(1 − 1/√3). The spline moves the
+// surface inwards by voxel²/(3r) = 0.028 mm. Half a voxel from the middle the distance is 0.01 mm smaller.
 TEST(DistanceFromSurface, CubeInABall) {
   const double half = 12.0 / std::numbers::sqrt3;
   const TriangleMesh cube =

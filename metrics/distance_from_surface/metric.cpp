@@ -21,13 +21,13 @@ Metric metric_distance_from_surface() {
       {.name = "distance_from_surface_mean",
        .unit = "mm",
        .definition = "Mean distance of the surface F = c to the mesh, weighted by area. It shows parts of the surface "
-                     "that the mesh misses, which distance_mean cannot. It is taken at the vertices of marching cubes "
-                     "on the data's lattice and at the centroids of their triangles, projected to F = c.",
+                     "that the mesh misses; distance_mean does not. It is taken at the vertices of marching cubes on "
+                     "the data's lattice and at the centroids of its triangles, projected to F = c.",
        .better = Better::smaller,
        .column = 901},
       {.name = "distance_from_surface_max",
        .unit = "mm",
-       .definition = "Largest distance of those points on the surface F = c to the mesh.",
+       .definition = "Largest distance to the mesh, over the points of distance_from_surface_mean.",
        .better = Better::smaller,
        .column = 902}};
   metric.measure = measure;

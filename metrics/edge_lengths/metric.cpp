@@ -28,12 +28,12 @@ Metric metric_edge_lengths() {
       {.name = "edge_over_h0_max",
        .definition = "Largest ratio of an edge's length to the mean of h0 at its two ends. Above 1 the mesh misses the "
                      "sampling bound. h0 = max(floor, 2ε min(λ, 1/|κ_max|)), where λ is the local feature size and "
-                     "κ_max the larger principal curvature; its gradient is not limited. If a uniform size was asked "
-                     "for, h0 is that edge length.",
+                     "|κ_max| the larger magnitude of the principal curvatures; its gradient is not limited. If a "
+                     "uniform size was asked for, h0 is that edge length.",
        .better = Better::smaller,
        .column = 14},
       {.name = "edge_over_h0_mean",
-       .definition = "Mean ratio of edge length to h0. Each edge counts the same.",
+       .definition = "Mean ratio of an edge's length to the mean of h0 at its ends. Each edge counts the same.",
        .column = no_column},
       {.name = "edge_over_h0_exceed_percent",
        .unit = "%",
@@ -51,6 +51,7 @@ Metric metric_edge_lengths() {
                      "triangles. The paper counts in this way.",
        .better = Better::smaller,
        .column = no_column}};
+  for (FigureDeclaration& figure : metric.figures) figure.unmeasured = no_edges;
   metric.histograms = {{.name = "edge_over_h0", .low = 0.0, .high = 2.0, .bins = 200}};
   metric.measure = measure;
   return metric;

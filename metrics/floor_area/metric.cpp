@@ -39,8 +39,9 @@ Metric metric_floor_area() {
   metric.figures = {
       {.name = "floor_area_percent",
        .unit = "%",
-       .definition = "Share of the mesh's area where h0 is its floor, because curvature and feature size ask for less. "
+       .definition = "Share of the mesh's area where h0 is its floor, because curvature or feature size asks for less. "
                      "Each corner of a triangle stands for a third of the triangle's area.",
+       .unmeasured = "the mesh has no area",
        .column = 19}};
   metric.measure = measure;
   return metric;

@@ -43,6 +43,7 @@ Metric metric_own_edge_lengths() {
                      "percentage of all triangles.",
        .better = Better::smaller,
        .column = no_column}};
+  for (FigureDeclaration& figure : metric.figures) figure.unmeasured = no_edges;
   metric.measure = measure;
   return metric;
 }

@@ -9,7 +9,7 @@ namespace isobench {
 
 namespace {
 
-constexpr int margin = 2;  // cells around that of a point
+constexpr int margin = 2;  // cells around the cell of a point
 
 bool meet(const NodeBox& a, const NodeBox& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -45,7 +45,7 @@ std::vector<CriticalBox> critical_boxes(const Isosurface& surface, double reach)
   std::vector<CriticalBox> boxes;
   for (const CriticalPoint& point : critical_points(surface, Band(surface, 2), reach * surface.voxel())) {
     CriticalBox box = box_around(point, surface);
-    // A box that has grown may meet others that it did not meet before.
+    // A box that has grown may meet further boxes, so the search starts again.
     for (auto other = boxes.begin(); other != boxes.end();) {
       if (meet(box.box, other->box)) {
         widen(box, *other);

@@ -9,11 +9,12 @@ namespace isobench {
 
 namespace {
 
-// The seven edges of a node, numbered by their direction: bit 0 is x, bit 1 is y, bit 2 is z. A path from the node to
-// the opposite corner of its cube passes one direction of one bit and one of two: a triangle or tetrahedron each.
+// The seven edges of a node, numbered by their direction: bit 0 is x, bit 1 is y, bit 2 is z. On a path along edges of
+// the cube from the node to the opposite corner, the two nodes between are in a direction of one bit and in one of two
+// bits. Each path belongs to one triangle (without the opposite corner) and one tetrahedron.
 constexpr std::array<std::array<int, 2>, 6> paths{{{1, 3}, {1, 5}, {2, 3}, {2, 6}, {4, 5}, {4, 6}}};
 
-/// Contribution to χ of 64 nodes; differs[d] has a bit where node and neighbour in direction d are of unlike sign.
+/// Contribution of 64 nodes to χ. The bits of differs[d] mark nodes that differ in sign from the one in direction d.
 long euler_of_word(const std::array<std::uint64_t, 8>& differs) {
   long euler = 0;
   for (int d = 1; d < 8; ++d) euler += std::popcount(differs[static_cast<std::size_t>(d)]);
@@ -47,12 +48,12 @@ long euler_of_row(const SignLattice& signs, int y, int z) {
   return euler;
 }
 
-/// Calls visit(x, inside, hole) for the first node of a row and for each at which it changes.
+/// Calls visit(x, inside, hole) for the first node of a row and for each node where one of the two changes.
 template <class Visit>
 void for_each_run(const std::uint64_t* row, const std::vector<std::uint64_t>& holes, std::size_t words, int nodes,
                   Visit visit) {
   const auto bit = [](std::uint64_t word, int at) { return (word >> at & 1U) != 0; };
-  std::uint64_t before = (row[0] & ~holes[0]) << 63;  // the first node begins a run whichever it is
+  std::uint64_t before = (row[0] & ~holes[0]) << 63;  // no change at node 0, which is visited anyway
   std::uint64_t hole_before = holes[0] << 63;
   visit(0, bit(row[0], 0), bit(holes[0], 0));
   for (std::size_t w = 0; w < words; ++w) {
@@ -79,7 +80,7 @@ void mark_holes(const std::vector<NodeBox>& boxes, int y, int z, std::vector<std
   }
 }
 
-/// Inside vertices − edges + triangles − tetrahedra that have their lowest corner in a row.
+/// Inside vertices − edges + triangles − tetrahedra, of those with their lowest corner in a row.
 long inside_euler_of_row(const SignLattice& signs, int y, int z) {
   const std::vector<std::uint64_t> none(signs.row_words(), 0);
   const bool next_y = y + 1 < signs.size()[1];
@@ -109,7 +110,7 @@ long inside_euler_of_row(const SignLattice& signs, int y, int z) {
   return euler;
 }
 
-/// χ of the inside part of a box's border, of the triangles that the tetrahedra leave on its faces.
+/// χ of the inside part of a box's border, which the faces of the tetrahedra triangulate.
 long inside_euler_of_border(const SignLattice& signs) {
   using Node = std::array<int, 3>;
   const Node& size = signs.size();
@@ -176,7 +177,7 @@ KuhnRegions::KuhnRegions(const SignLattice& signs, const std::vector<NodeBox>& h
   find_runs(signs, holes);
   monitor.check();
   sets_ = UnionFind(begin_.size());
-  // Blocks of slabs are joined in parallel, their seams after them: the runs of different blocks never meet before.
+  // Joins blocks of slabs in parallel, then their seams: until then, runs of different blocks never meet.
   constexpr int block = 16;
   const int slabs = signs.size()[2];
   const int blocks = (slabs + block - 1) / block;
@@ -249,7 +250,7 @@ void KuhnRegions::join_rows(std::size_t lower, std::size_t upper) {
     if (state_[a] == state_[b] && is_region(a) && begin_[a] < b_end && begin_[b] < a_end) {
       sets_.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
     }
-    // The next run of a reaches from end(a), one node before a's own reach ends: what ends there does not meet it.
+    // The next run of a begins at end(a) = a_end − 1; a run b that ends before a_end does not meet it.
     if (b_end < a_end) {
       ++b;
     } else {

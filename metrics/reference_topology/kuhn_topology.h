@@ -1,5 +1,5 @@
-// Topology of the surface between the inside and outside nodes of a lattice cut into Kuhn tetrahedra: six a cube, all
-// along its main diagonal, so that each node has 7 edges, 12 triangles and 6 tetrahedra of its own.
+// Topology of the surface between the inside and outside nodes of a lattice that is cut into Kuhn tetrahedra. Six
+// tetrahedra share the main diagonal of each cube, so each node has 7 edges, 12 triangles and 6 tetrahedra of its own.
 #pragma once
 
 #include <cstddef>
@@ -12,31 +12,31 @@
 
 namespace isobench {
 
-/// χ = bichromatic edges − triangles + tetrahedra: each is crossed by one vertex, edge or face of the surface.
+/// χ = bichromatic edges − triangles + tetrahedra: each contains one vertex, edge or face of the surface.
 /// Precondition: the outermost layer is outside. With all threads.
 long kuhn_euler(const SignLattice& signs, Monitor& monitor);
 
-/// Connected components of the surface. Each separates space in two, so that inside and outside regions form a tree
-/// with the components as its edges: one fewer than regions of nodes, connected over the 14 edges at each node.
-/// Precondition and threads as above.
+/// Connected components of the surface. Each component divides space in two, so the inside and outside regions form a
+/// tree whose edges are the components. Their number is one less than that of the regions of nodes, which are connected
+/// over the 14 edges at each node. Precondition and threads as above.
 std::size_t kuhn_components(const SignLattice& signs, Monitor& monitor);
 
 /// χ of the body between a box's inside nodes, less that of its cut with the box's border: vertices − edges + triangles
-/// − tetrahedra whose corners are all inside and not all on one face of the box. What is counted twice by it is what
-/// the box's inner part adds to the χ of a closed surface.
+/// − tetrahedra whose corners are all inside and not all on one face of the box. The inner part of the box adds twice
+/// this number to the χ of a closed surface.
 long kuhn_euler_within(const SignLattice& signs);
 
-/// The regions of a lattice's nodes, inside and outside, connected over the 14 edges at each. Nodes strictly within
-/// `holes` belong to none (corners in the lattice's own nodes). One run of nodes of a row is what is stored.
+/// The regions of a lattice's nodes, inside and outside, connected over the 14 edges at each node. Nodes strictly
+/// within `holes` (in nodes of this lattice) belong to no region. Each row is stored as runs of equal nodes.
 class KuhnRegions {
  public:
   KuhnRegions(const SignLattice& signs, const std::vector<NodeBox>& holes, Monitor& monitor);
 
-  /// The run that a node is in; any node that is in no hole.
+  /// The run that contains a node. Precondition: the node is in no hole.
   std::uint32_t run_of(int x, int y, int z) const;
   std::uint32_t region_of(int x, int y, int z) { return sets_.find(run_of(x, y, z)); }
   void unite(std::uint32_t run_a, std::uint32_t run_b) { sets_.unite(run_a, run_b); }
-  /// The regions by their representing runs, ascending.
+  /// One run that represents each region, ascending.
   std::vector<std::uint32_t> regions() const;
 
  private:

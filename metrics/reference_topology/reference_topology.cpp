@@ -22,11 +22,11 @@ SignLattice whole(const Isosurface& surface, int k, Monitor& monitor) {
   return refined_signs(surface, k, monitor);
 }
 
-/// Critical points closer to the surface than this, in voxels, may be miscounted on the lattice of k.
+/// Voxels. The lattice refined k times may miscount at critical points that are closer to the surface than this.
 double reach(int k) { return std::min(0.75, 1.5 / k); }
 
-/// How many times finer the lattice of a box is: four nodes to the point's distance, at least 16 to a voxel, and no
-/// more than memory allows.
+/// How many times finer the lattice of a box is: four nodes to the point's distance, 16 to 96 nodes to a voxel, and no
+/// more nodes than memory allows.
 int factor_for(const CriticalBox& place, int k) {
   constexpr double least = 16.0;
   constexpr double most = 96.0;
@@ -47,7 +47,7 @@ NodeBox scaled(const NodeBox& box, int k) {
 }
 
 /// Joins the coarse regions that a region of the box connects. Returns the number of regions that lie wholly within the
-/// box. A region that reaches the border only between coarse nodes is part of one outside, and is counted there.
+/// box. A region that reaches the border only between coarse nodes is part of a region outside and is counted there.
 std::size_t join_over(const SignLattice& fine, const NodeBox& box, int factor, KuhnRegions& coarse, Monitor& monitor) {
   KuhnRegions regions(fine, {}, monitor);
   std::map<std::uint32_t, std::uint32_t> run_of_region;

@@ -8,7 +8,7 @@
 // the count is repeated on a lattice that is finer than the point's distance to the surface. Because χ(A ∪ B) = χ(A) +
 // χ(B) − χ(A ∩ B), the fine count of a box can replace the coarse one; regions are joined over the borders of the
 // boxes. On four real volumes the result is the same for k = 3 and 4, although the plain count of one of them still
-// changed at k = 12.
+// changes from k = 8 to 12.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ struct ReferenceTopology {
   std::size_t components = 0;
 };
 
-/// Refines slice by slice and stores signs as bits: k³ nodes/8 bytes. The counts around critical points take as many
-/// nodes again; for noise, a few times as many.
+/// Refines slice by slice and stores signs as bits: k³/8 bytes a node of the data. The counts around critical points
+/// take as many nodes again; for noise, a few times as many.
 ReferenceTopology reference_topology(const Isosurface& surface, int k, Monitor& monitor);
 
 /// The plain count, without the repeated counts around critical points.

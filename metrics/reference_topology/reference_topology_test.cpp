@@ -217,7 +217,7 @@ TEST(KuhnTopology, RegionsAroundAHoleJoinedThroughItAreThoseOfTheWhole) {
   }
 }
 
-/// Two bodies that a bridge of some hundredths of a voxel joins, or a gap of that size parts.
+/// Two bodies, joined by a bridge of some hundredths of a voxel or separated by a gap of that size.
 Isosurface dumb_bell(double off) {
   const Eigen::Vector3d a(13.2, 16.4, 19.7);
   const Eigen::Vector3d b(26.1, 16.4, 19.7);
@@ -239,7 +239,7 @@ TEST(ReferenceTopology, TellsABridgeFromAGapThatNoNodeShows) {
     EXPECT_EQ(parted.euler, 4) << "k = " << k;
     EXPECT_EQ(parted.components, 2U) << "k = " << k;
   }
-  // Were it of no use, the plain count would tell as well.
+  // The plain count does not tell them apart.
   EXPECT_EQ(lattice_topology(dumb_bell(-0.0005), 3, monitor).euler,
             lattice_topology(dumb_bell(0.0005), 3, monitor).euler);
 }
@@ -262,7 +262,7 @@ TEST(SignLattice, OfABoxAreThoseOfTheWhole) {
       }
     }
   }
-  // Refined three times more than the lattice of k = 2, its border is as thick as there.
+  // The border of a lattice refined three times more than that of k = 2 is as thick as there.
   const SignLattice coarse = refined_signs(surface, 2, monitor);
   const SignLattice fine = refined_signs(surface, NodeBox{{0, 0, 0}, {12, 11, 8}}, 2, 3, monitor);
   for (int z = 0; z < coarse.size()[2]; ++z) {

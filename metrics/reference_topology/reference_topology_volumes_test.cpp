@@ -1,5 +1,5 @@
-// χ and components of the four real volumes: the plain counts as made once with NumPy from the same definition, and
-// what a closer look at critical points comes to.
+// χ and components of the four real volumes: the plain counts, made once with NumPy by the same definition, and the
+// counts that are repeated around critical points.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -36,8 +36,8 @@ TEST_P(ReferenceTopologyOnVolumes, AsCountedOnce) {
   }
 }
 
-// With a closer look at critical points k = 3 and 4 agree. The plain counts of the brain come to this at
-// k = 12 and 13, after −84, −80, −78 at 4, 6, 8; those of the vessel's even k are this, those of its odd ones are not.
+// With counts repeated around critical points, k = 3 and 4 agree. The plain count of the brain reaches the same χ at
+// k = 12 and 13, after −84, −80, −78 at 4, 6, 8. That of the vessel has it at k = 4, 6, 8, but not at 3, 5, 7.
 TEST_P(ReferenceTopologyOnVolumes, IsTheSameForAnyRefinement) {
   if (std::getenv("ISOBENCH_DATA") == nullptr) {
     GTEST_SKIP() << "ISOBENCH_DATA does not name the folder of the real volumes";

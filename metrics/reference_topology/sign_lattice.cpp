@@ -60,8 +60,7 @@ class Refinement {
     return std::min(from_low, from_high) < closed_;
   }
 
-  // Rows begin one coefficient before the box and end two beyond it, and so do columns, so that every cell has its
-  // taps.
+  // Rows and columns begin one coefficient before the box and end two beyond it, so that every cell has its taps.
   void load_layer(int layer, std::vector<double>& values) const {
     values.resize(padded_ * static_cast<std::size_t>(box_.high[1] - box_.low[1] + 4));
     double* out = values.data();
@@ -85,7 +84,7 @@ class Refinement {
             work.slab.data());
     for (int y = 0; y < signs_.size()[1]; ++y) {
       if (is_border(y, 1)) continue;
-      // The last node begins no cell of its own, and has the weight of a tap that exists all the same.
+      // The last node begins no cell, but the four rows from there exist; the fourth has weight 0.
       const double* rows = work.slab.data() + padded_ * static_cast<std::size_t>(y / k_);
       combine({rows, rows + padded_, rows + 2 * padded_, rows + 3 * padded_},
               weights_[static_cast<std::size_t>(y % k_)], padded_, work.row.data());
@@ -131,7 +130,7 @@ SignLattice refined_signs(const Isosurface& surface, const NodeBox& box, int k, 
   SignLattice signs(size);
   const Refinement refinement(surface, box, k, factor, signs);
   tbb::enumerable_thread_specific<Workspace> workspaces;
-  constexpr int batch = 16;  // lattice layers between two looks at whether to stop
+  constexpr int batch = 16;  // lattice layers between two checks for cancellation
   for (int begin = box.low[2]; begin <= box.high[2]; begin += batch) {
     monitor.check();
     tbb::parallel_for(begin, std::min(begin + batch, box.high[2] + 1),

@@ -41,13 +41,13 @@ class SignLattice {
   std::vector<std::uint64_t> words_;
 };
 
-/// Cells of a surface's lattice: those between two of its nodes, low < high along each axis.
+/// A box of cells of a surface's lattice, between the nodes `low` and `high`; low < high along each axis.
 struct NodeBox {
   std::array<int, 3> low{};
   std::array<int, 3> high{};
 };
 
-/// Calls visit(x, y, z) for the nodes on the border of a box, whichever lattice its corners are nodes of.
+/// Calls visit(x, y, z) for the nodes on the border of a box. Its corners may be nodes of any lattice.
 template <class Visit>
 void for_each_border_node(const NodeBox& box, Visit visit) {
   for (int z = box.low[2]; z <= box.high[2]; ++z) {
@@ -59,13 +59,13 @@ void for_each_border_node(const NodeBox& box, Visit visit) {
   }
 }
 
-/// The signs of the surface's own function at the nodes i/k (k ≥ 1) of its lattice, k(n − 1) + 1 along each axis, with
-/// the kernel that its values use; inside is f > 0. The outermost two layers of nodes count as outside.
+/// The signs of f at the nodes i/k (k ≥ 1) of the surface's lattice, k(n − 1) + 1 along each axis, with the kernel that
+/// value() uses; inside is f > 0. The outermost two layers of nodes count as outside.
 /// Separable: four multiply-adds a node, with all threads; memory is the bits and a few slabs a thread.
 SignLattice refined_signs(const Isosurface& surface, int k, Monitor& monitor);
 
-/// The same within a box of the lattice alone, refined `factor` · k times: k(high − low) · factor + 1 nodes along each
-/// axis, the first at `low`. What the lattice refined k times counts as outside for its place does so here.
+/// The same for a box of the lattice, refined `factor` · k times: k(high − low) · factor + 1 nodes along each axis, the
+/// first at `low`. The border that counts as outside is as thick as in the lattice refined k times.
 SignLattice refined_signs(const Isosurface& surface, const NodeBox& box, int k, int factor, Monitor& monitor);
 
 }  // namespace isobench

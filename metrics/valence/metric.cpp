@@ -51,6 +51,9 @@ Metric metric_valence() {
                      .kind = Kind::count,
                      .better = Better::smaller,
                      .column = no_column}};
+  for (FigureDeclaration& figure : metric.figures) {
+    if (figure.name != "unused_vertices") figure.unmeasured = no_edges;
+  }
   metric.figures[2].definition += " A regular mesh has valence 6.";
   metric.histograms = {{.name = "valence"}};
   metric.measure = measure;

@@ -6,8 +6,8 @@
 namespace isobench {
 namespace {
 
-/// Whether the triangles at each edge run through it as often one way as the other. Then they bound a volume, also
-/// where more than two triangles meet at an edge.
+/// Whether as many triangles run through each edge one way as the other way. Then they bound a volume, also where more
+/// than two triangles meet at an edge.
 bool closed_and_oriented(const std::vector<HalfEdge>& sides) {
   for (std::size_t begin = 0; begin < sides.size();) {
     const std::size_t end = edge_end(sides, begin);
@@ -22,7 +22,7 @@ bool closed_and_oriented(const std::vector<HalfEdge>& sides) {
 void measure(MetricInput& input, MetricOutput& output) {
   if (!closed_and_oriented(input.half_edges())) return;
   const std::vector<Eigen::Vector3d>& x = input.mesh().vertices;
-  // From a point of the mesh, or the tetrahedra of a small mesh far from the origin would cancel each other's digits.
+  // Tetrahedra from a point of the mesh: from a far origin, their volumes would cancel and lose digits.
   const Eigen::Vector3d& origin = x[input.mesh().triangles.front()[0]];
   double six_volumes = 0.0;
   for (const Triangle& t : input.mesh().triangles) {

@@ -96,7 +96,7 @@ TEST(Claims, WithoutAMethodTheRestOfTheOrderIsTested) {
   const ClaimResult nothing = judge(order, {records[0]});
   EXPECT_EQ(nothing.summary, "not testable here: advancing-front was not run, marching-cubes was not run");
   EXPECT_EQ(nothing.verdict, Verdict::not_testable);
-  // "a ~ b >> c" asks "a >> c" where b is absent.
+  // If b is absent, "a ~ b >> c" becomes "a >> c".
   const std::string much = "figure = \"radius_ratio_min\"\norder = \"ps ~ af >> mc\"\nabout = 0.1\nmuch = 3.5\n";
   EXPECT_EQ(judge(much, {records[0], records[1]}).verdict, Verdict::not_held);
   EXPECT_EQ(judge(much, {run("skull", "particles", 0.36), records[1]}).verdict, Verdict::held);
@@ -212,7 +212,7 @@ TEST(Claims, ATrendOverSeveralSeedsComparesMedians) {
   EXPECT_EQ(judge(trend, records).verdict, Verdict::not_held);
 }
 
-// Runs over a grid of ε and δ that stand aside; the radius ratio rises by 0.1 from one δ to the next smaller one.
+// Runs over a grid of ε and δ that are aside. The radius ratio rises by 0.1 from one δ to the next smaller one.
 std::vector<RunRecord> sweep_aside(const std::string& dataset, const std::string& method, const std::string& label) {
   std::vector<RunRecord> records;
   for (const double epsilon : {1.0, 0.5}) {

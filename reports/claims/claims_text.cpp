@@ -32,8 +32,8 @@ std::string bound_rule(const PublishedClaim& claim) {
 }
 
 std::string trend_rule(const PublishedClaim& claim) {
-  return fmt::format("for {} it gets {} as {} gets smaller and nothing else changes; medians over the seeds",
-                     claim.method, claim.gives_larger ? "larger" : "smaller", claim.smaller);
+  return fmt::format("for {} the value gets {} if only {} gets smaller; medians over the seeds", claim.method,
+                     claim.gives_larger ? "larger" : "smaller", claim.smaller);
 }
 
 std::string claim_text(std::size_t number, const PublishedClaim& claim, const ClaimResult& result) {

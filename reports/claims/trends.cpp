@@ -62,7 +62,7 @@ std::vector<Series> series_of(const Runs& runs, const std::string& varied) {
     if (found == all.end()) found = all.insert(all.end(), Series{});
     found->runs.push_back(run);
   }
-  // A data set that was run with one value only was never meant to show a trend.
+  // A data set that was run with only one value was not meant to show a trend.
   std::erase_if(all, [&varied](const Series& series) { return !series.has_two_values(varied); });
   return all;
 }
@@ -79,7 +79,7 @@ std::vector<Series> series_of_method(const Results& results, const std::string& 
   return series.empty() ? series_of(all, varied) : series;
 }
 
-// From the largest value of the parameter to the smallest: does the median of the figure go the claimed way every time?
+// Whether the median of the figure changes as claimed at every step from the largest value of the parameter down.
 Finding finding_of(const PublishedClaim& claim, const PublishedMethod& method, const Series& series) {
   std::map<double, Runs, std::greater<>> steps;
   for (const RunRecord* run : series.runs) steps[*parameter(*run, claim.smaller)].push_back(run);
@@ -96,7 +96,7 @@ Finding finding_of(const PublishedClaim& claim, const PublishedMethod& method, c
     }
     append_to_list(finding.ours, ", ", step + median_and_range(claimed));
     if (before) {
-      // Medians, because a single mesh's worst triangle says little about what is typical.
+      // Medians, because the worst triangle of a single mesh is not typical.
       all_hold = all_hold && (claim.gives_larger ? claimed.median > *before : claimed.median < *before);
       finding.verdict = all_hold ? Verdict::held : Verdict::not_held;
     }

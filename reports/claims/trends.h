@@ -1,4 +1,4 @@
-// Claims of the form "a smaller epsilon gives more triangles". For the evaluation of claims alone.
+// Claims of the form "a smaller epsilon gives more triangles". Used only to evaluate claims.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,14 @@
 
 namespace isobench {
 
-/// One finding for each series of runs that differ in `claim.smaller` alone (and in seed and repeat). Of two values of
-/// the parameter the medians over the seeds are compared.
+/// One finding for each series of runs that differ only in `claim.smaller`, seed and repeat. It compares the medians
+/// over the seeds at each value of the parameter and the next smaller one.
 ///
-/// Which runs are looked at: those of the published method, with its own name as label, and those that are aside
-/// (RunRequest::aside), since a sweep often stands beside the tables that compare. Variants under another label are
-/// looked at only where these give no series; a method that the published one is shown beside, only where the method
-/// itself gives none.
+/// The runs come from the first method in methods_for() that gives a series: those with the method's name as label and
+/// those that are aside (RunRequest::aside), because sweeps are often kept out of the tables. Variants with another
+/// label are taken only if these give no series.
 ///
-/// Without any series: a single finding that says why the claim cannot be tested.
+/// Without any series, there is a single finding that says why the claim cannot be tested.
 std::vector<Finding> trend_findings(const PublishedClaim& claim, const Results& results);
 
 }  // namespace isobench

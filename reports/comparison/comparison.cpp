@@ -29,7 +29,7 @@ double relative_difference(double a, double b) {
 
 using Leaves = std::map<std::string, Json>;
 
-// A series of numbers (a trace, a histogram's counts) is one figure; a line for each of its values would say no more.
+// A series of numbers (a trace, a histogram's counts) is one figure: a line for each value would not tell more.
 bool is_leaf(const Json& json) {
   return !json.is_object() && !(json.is_array() && !json.empty() && json.front().is_array());
 }
@@ -44,9 +44,10 @@ void flatten(const Json& json, const std::string& name, Leaves& leaves) {
 }
 
 // Parts of a request that do not determine the result.
-const std::vector<const char*> asked_besides = {"label", "alone", "artefacts", "limit_minutes", "limit_memory_gb"};
+const std::vector<const char*> asked_besides = {"label",     "alone",         "aside",
+                                                "artefacts", "limit_minutes", "limit_memory_gb"};
 
-// Figures have their bare names, as in results.csv; the names of all others begin with what they are.
+// Figures have their bare names, as in results.csv. Most other names begin with a group: "counter particles/splits".
 Leaves result_of(const Json& record) {
   Leaves leaves;
   for (const char* key : {"status", "reason", "deterministic"}) leaves[key] = record.at(key);
@@ -62,7 +63,7 @@ Leaves result_of(const Json& record) {
     for (const auto& [name, value] : inner) leaves[fmt::format("{} {}", word, name)] = value;
   }
   for (const char* key : asked_besides) leaves.erase("request " + std::string(key));
-  leaves.erase("dataset source");  // where the samples were found; the request has their checksum
+  leaves.erase("dataset source");  // says where the samples were found; the request has their checksum
   if (record.contains("mesh_checksum")) leaves["mesh_checksum"] = record.at("mesh_checksum");
   return leaves;
 }
@@ -90,7 +91,7 @@ Difference series_difference(const Json& a, const Json& b) {
       difference.b = fmt::format("[{}] {}", i, leaf_text(b[i]));
     }
     const bool numbers = a[i].is_number() && b[i].is_number();
-    // A number beside something that is no number counts as the largest difference.
+    // If not both are numbers, the difference is NaN and counts as the largest.
     const double here = numbers ? relative_difference(a[i].get<double>(), b[i].get<double>()) : no_number;
     if (std::isnan(here) || here > difference.relative) difference.relative = here;
     if (std::isnan(here)) break;
@@ -99,7 +100,7 @@ Difference series_difference(const Json& a, const Json& b) {
   return difference;
 }
 
-// std::nullopt where the two are the same within the tolerance.
+// std::nullopt if the two are the same within the tolerance.
 std::optional<Difference> difference_of(const Json& a, const Json& b, double tolerance) {
   if (a == b) return std::nullopt;
   Difference difference{"", "", leaf_text(a), leaf_text(b), no_number};
@@ -134,8 +135,8 @@ void note_circumstance(const std::string& what, const Json& a, const Json& b, Co
   comparison.circumstances.push_back(change);
 }
 
-// Figures that a record does not know are left out: its program did not measure them yet. Their histograms go with
-// them. Where one side has no figures at all, its status differs, and they are compared.
+// Leaves out figures that a record does not know, because its program did not measure them yet, and the histograms of
+// their metrics. If one side has no figures at all, its status differs, and nothing is left out.
 void leave_out_unknown(const RunRecord& a, const RunRecord& b, Leaves& leaves_a, Leaves& leaves_b,
                        Comparison& comparison) {
   if (!a.measurement || !b.measurement) return;
@@ -157,7 +158,7 @@ void leave_out_unknown(const RunRecord& a, const RunRecord& b, Leaves& leaves_a,
   }
 }
 
-// A difference that no tolerance excuses is one of figures that are declared so.
+// A figure that is declared Compared::exactly has no tolerance.
 double tolerance_for(const std::string& name, double tolerance) {
   const auto& all = declared_figures();
   const auto found =
@@ -205,8 +206,8 @@ bool plans(const Results& results, const std::string& run) {
                      [&run](const RunRequest& request) { return request.run == run; });
 }
 
-// A run's name without the hash at its end. Runs whose names differ only there were asked the same of other code or
-// data.
+// A run's name without the hash at its end. Runs whose names differ only there are counterparts that differ in other
+// parts of the request, such as the revision of the method.
 std::string stem(const std::string& run) { return run.substr(0, run.rfind('-')); }
 
 std::string request_changes(const RunRequest& a, const RunRequest& b) {
@@ -222,20 +223,20 @@ std::string request_changes(const RunRequest& a, const RunRequest& b) {
   return text;
 }
 
-// Why a run has no counterpart in `there`. `swapped` if the run is of the right-hand side; sentences name the left-hand
-// side first.
+// Why a run has no counterpart in `there`. `swapped` is true if the run belongs to B, because sentences give the values
+// of A first.
 std::string reason_for(const RunRequest& request, const Results& there, bool swapped) {
   const auto changes = [&](const RunRequest& other) {
     return swapped ? request_changes(other, request) : request_changes(request, other);
   };
   for (const RunRecord& other : there.records) {
     if (stem(other.request.run) != stem(request.run)) continue;
-    return "as " + other.request.run + " there, which differs in " + changes(other.request);
+    return other.request.run + " is there instead; they differ in " + changes(other.request);
   }
   for (const RunRequest& other : there.missing) {
     if (other.run == request.run) return "not done there";
     if (stem(other.run) != stem(request.run)) continue;
-    return "planned there as " + other.run + " and not done, which differs in " + changes(other);
+    return other.run + " is planned there instead, but not done; they differ in " + changes(other);
   }
   return "not planned there";
 }

@@ -9,7 +9,7 @@
 
 namespace isobench {
 
-/// One value that is not the same on both sides; "–" stands for a side that does not have it.
+/// One value that is not the same on both sides. It is "–" on a side that does not have it.
 struct Difference {
   std::string run;
   std::string figure;  ///< as in results.csv, or "histogram angle", "trace energy", "counter particles/splits", …
@@ -21,7 +21,7 @@ struct Difference {
 /// A run that only one side has.
 struct Unmatched {
   std::string run;
-  std::string why;  ///< "not planned", "not done", "differs in method_revision: 3 and 4"
+  std::string why;  ///< "not planned there", "not done there", "… is there instead; they differ in …"
 };
 
 /// What one run cost on each side.
@@ -33,7 +33,7 @@ struct CostPair {
   double memory_mb_b = 0.0;
 };
 
-/// A circumstance that differs in some runs: code, machine, limits, names or notes. It is no figure.
+/// A circumstance that differs in some runs: code, machine, limits, names or notes. It is not a figure.
 struct CircumstanceChange {
   std::string what;  ///< "commit", "cpu", "threads", …
   std::string a;
@@ -52,8 +52,8 @@ struct Comparison {
   std::vector<std::string> unreadable;
   std::vector<CostPair> costs;
   std::vector<CircumstanceChange> circumstances;
-  std::vector<std::string> not_deterministic;  ///< runs that differ and whose method does not promise the same mesh
-  /// Figures that one side's records do not have because they are older, and the other's have. They are not compared.
+  std::vector<std::string> not_deterministic;  ///< runs that differ, by methods that do not promise the same mesh
+  /// Figures that the records of one side lack because they are older, and the other side has. They are not compared.
   std::set<std::string> unknown_in_a;
   std::set<std::string> unknown_in_b;
 
@@ -61,15 +61,15 @@ struct Comparison {
   bool same() const { return differences.empty() && only_a.empty() && only_b.empty() && unreadable.empty(); }
 };
 
-/// Compares the runs that have the same name; a name covers everything that determines a result. Numbers may differ by
-/// `tolerance`, relative to the larger one, unless the figure is declared to be compared exactly; 0 asks for the same
-/// bits. A figure that was measured on one side only is a difference; one that is unknown on a side is not.
+/// Compares the runs that have the same name; the name depends on everything that determines a result. Numbers may
+/// differ by `tolerance`, relative to the larger one, unless the figure is declared to be compared exactly; 0 asks for
+/// the same bits. A figure that was measured on one side only is a difference; one that is unknown on a side is not.
 Comparison compare(const Results& a, const Results& b, double tolerance = 0.0);
 
 enum class Detail { brief, full };
 
-/// For a person, as Markdown. If nothing differs, it is one or two sentences; Detail::full adds the tables of costs and
-/// circumstances.
+/// The comparison as Markdown. If nothing differs, it is one or two sentences; Detail::full adds the tables of costs
+/// and circumstances.
 std::string comparison_text(const Comparison& comparison, Detail detail = Detail::brief);
 
 }  // namespace isobench

@@ -17,7 +17,7 @@ Results two_runs() {
   return results;
 }
 
-// The only difference there is, or a failure.
+// The only difference. Fails if there is none or more than one.
 Difference only(const Comparison& comparison) {
   EXPECT_EQ(comparison.differences.size(), 1U);
   return comparison.differences.empty() ? Difference{} : comparison.differences.front();
@@ -44,9 +44,8 @@ TEST(Compare, SecondsMemoryAndCircumstancesAreNoDifference) {
   EXPECT_TRUE(comparison.same());
   EXPECT_EQ(comparison.matched, 2U);
   EXPECT_EQ(comparison_text(comparison),
-            "2 runs are the same in both in all but seconds and memory (made under another commit, dataset source, "
-            "label, libraries/VTK, "
-            "limit_minutes, notes; -v shows both).\n");
+            "2 runs are the same on both sides, except for seconds and memory (other circumstances: commit, dataset "
+            "source, label, libraries/VTK, limit_minutes, notes; -v shows them).\n");
   const std::string full = comparison_text(comparison, Detail::full);
   EXPECT_NE(full.find("| 5.25   | 8.00   | 1.52  | 321"), std::string::npos) << full;
   EXPECT_NE(full.find("| commit         | abcdef"), std::string::npos) << full;
@@ -94,11 +93,11 @@ TEST(Compare, FiguresThatAnOlderRecordDoesNotKnowAreNoDifference) {
   }
   EXPECT_TRUE(compare(old, two_runs()).same());
   EXPECT_EQ(comparison_text(compare(old, two_runs())),
-            "2 runs are the same in both in all but seconds and memory.\n"
+            "2 runs are the same on both sides, except for seconds and memory.\n"
             "A has no area, volume: its records are older than these figures. They are not compared.\n");
   EXPECT_NE(comparison_text(compare(two_runs(), old), Detail::full).find("\nB has no area, volume: "),
             std::string::npos);
-  EXPECT_EQ(comparison_text(compare(old, old)), "2 runs are the same in both in all but seconds and memory.\n");
+  EXPECT_EQ(comparison_text(compare(old, old)), "2 runs are the same on both sides, except for seconds and memory.\n");
   // But a figure that one side could not measure is a difference.
   Results open = two_runs();
   open.records[1].measurement->set("volume", std::nullopt);
@@ -123,7 +122,7 @@ TEST(Compare, ToleranceIsRelativeToTheLargerNumber) {
   EXPECT_DOUBLE_EQ(compare(a, b).differences[0].relative, 0.2);
   EXPECT_EQ(compare(a, b, 0.19).differences.size(), 2U);
   EXPECT_TRUE(compare(a, b, 0.21).same());
-  // No tolerance makes a number of what is none.
+  // A number and NaN differ under any tolerance.
   b.records[0].measurement->set("edge_over_h0_max", std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(compare(a, b, 1.0).differences.size(), 1U);
   EXPECT_EQ(compare(b, b, 0.0).differences.size(), 0U);
@@ -156,16 +155,17 @@ TEST(Compare, RunsOfOneSideSayWhy) {
   ASSERT_EQ(comparison.only_a.size(), 2U);
   ASSERT_EQ(comparison.only_b.size(), 1U);
   EXPECT_EQ(comparison.only_a[0].why,
-            "as pelvis-particles-e0.5-d0.3-s1-0123abcd there, which differs in method_revision: 7 and 1");
+            "pelvis-particles-e0.5-d0.3-s1-0123abcd is there instead; they differ in method_revision: 7 and 1");
   EXPECT_EQ(comparison.only_b[0].why,
-            "as pelvis-particles-e0.5-d0.3-s1-ffffffff there, which differs in method_revision: 7 and 1");
+            "pelvis-particles-e0.5-d0.3-s1-ffffffff is there instead; they differ in method_revision: 7 and 1");
   EXPECT_EQ(comparison.only_a[1].why, "not done there");
   b.missing[0].run = "skull-particles-e0.5-d0.3-s1-eeeeeeee";
   a.records[1].request.reference_k = 1;
   b.missing[0].reference_k = 4;
   EXPECT_EQ(
       compare(a, b).only_a[1].why,
-      "planned there as skull-particles-e0.5-d0.3-s1-eeeeeeee and not done, which differs in reference_k: 1 and 4");
+      "skull-particles-e0.5-d0.3-s1-eeeeeeee is planned there instead, but not done; they differ in reference_k: 1 "
+      "and 4");
   const std::string text = comparison_text(comparison);
   EXPECT_NE(text.find("No run is in both, 2 runs only in A, 1 run only in B; 1 planned run done on neither side."),
             std::string::npos)

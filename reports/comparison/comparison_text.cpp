@@ -19,7 +19,7 @@ std::string circumstance_names(const Comparison& comparison) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// "A has no area, volume: its records are older than these figures. They are not compared.\n"; "" where both sides have
+// "A has no area, volume: its records are older than these figures. They are not compared.\n"; "" if both sides have
 // all figures.
 std::string older_side(const char* side, const std::set<std::string>& unknown) {
   if (unknown.empty()) return "";
@@ -31,16 +31,17 @@ std::string older_sides(const Comparison& comparison) {
   return older_side("A", comparison.unknown_in_a) + older_side("B", comparison.unknown_in_b);
 }
 
-// The whole verdict in one sentence.
+// The verdict in one sentence.
 std::string verdict(const Comparison& comparison) {
   const std::string runs = plural(comparison.matched, "run");
   const std::string circumstances = circumstance_names(comparison);
   const std::string undone =
       comparison.undone == 0 ? "" : fmt::format("; {} done on neither side", plural(comparison.undone, "planned run"));
   if (comparison.same()) {
-    return fmt::format(
-        "{} the same in both in all but seconds and memory{}{}.\n", runs + (comparison.matched == 1 ? " is" : " are"),
-        circumstances.empty() ? "" : " (made under another " + circumstances + "; -v shows both)", undone);
+    return fmt::format("{} the same on both sides, except for seconds and memory{}{}.\n",
+                       runs + (comparison.matched == 1 ? " is" : " are"),
+                       circumstances.empty() ? "" : " (other circumstances: " + circumstances + "; -v shows them)",
+                       undone);
   }
   std::set<std::string> differing;
   for (const Difference& difference : comparison.differences) differing.insert(difference.run);
@@ -93,7 +94,7 @@ std::string circumstances(const Comparison& comparison) {
   for (const CircumstanceChange& change : comparison.circumstances) {
     table.add({change.what, change.a, change.b, fmt::format("{}", change.runs)});
   }
-  return heading("Made under other circumstances") + table.text() + "\n";
+  return heading("Circumstances that differ") + table.text() + "\n";
 }
 
 }  // namespace
@@ -103,7 +104,7 @@ std::string comparison_text(const Comparison& comparison, Detail detail) {
   std::string text = fmt::format("# A: {}, B: {}\n\n", comparison.name_a, comparison.name_b);
   text += verdict(comparison) + older_sides(comparison) + "\n";
   text += differences(comparison) + missing(comparison) + costs(comparison) + circumstances(comparison);
-  text.pop_back();  // each part ends with a line between it and the next
+  text.pop_back();  // each part ends with an empty line
   return text;
 }
 

@@ -1,4 +1,4 @@
-// The columns of results.csv and what stands in them.
+// The columns of results.csv and their definitions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +24,9 @@ std::vector<CsvColumn> asked_columns() {
       {"epsilon", "", "Adaptive sizing: edges are up to 2 epsilon times the local feature size; else empty."},
       {"delta", "", "Adaptive sizing: Lipschitz bound of the sizing field; else empty."},
       {"edge_length", "mm",
-       "Uniform sizing: the edge length that was asked for, or that a number of vertices led to; else empty."},
-      {"match_scale", "", "Factor by which matching scaled the edge lengths asked for; 1 without matching."},
+       "Uniform sizing: the requested edge length or, if a number of vertices was requested, the edge length found for "
+       "it; else empty."},
+      {"match_scale", "", "Factor by which matching scaled the requested edge lengths; 1 without matching."},
       {"seed", "", "Seed of all random numbers."},
       {"status", "",
        "ok; failed: an error or a crash; timeout: stopped at its limit of minutes; out of memory: stopped at its limit "
@@ -34,14 +35,14 @@ std::vector<CsvColumn> asked_columns() {
       {"reason", "", "Why the status is not ok; else empty."}};
 }
 
-// They stand right of the seconds and memory.
+// The columns after those of seconds and memory.
 std::vector<CsvColumn> circumstance_columns() {
-  return {{"repeat", "", "Number of the repeat, counted from 1. Repeats of a cell are made for their seconds."},
-          {"mesh_checksum", "", "Checksum of the finished mesh. Meshes that agree bit for bit have the same."},
-          {"match_to", "", "The run whose number of vertices this run was brought to; else empty."},
-          {"match_vertices", "", "That number of vertices; else empty."},
-          {"match_reason", "", "Why the number of vertices is not within 2 % of it; empty where it is."},
-          {"host", "", "The machine that it ran on. Seconds of different machines do not compare."},
+  return {{"repeat", "", "Number of the repeat, counted from 1. A run is repeated to measure its seconds again."},
+          {"mesh_checksum", "", "Checksum of the finished mesh. Meshes that agree bit for bit have the same checksum."},
+          {"match_to", "", "The run whose number of vertices this run was matched to; else empty."},
+          {"match_vertices", "", "The number of vertices of the run in match_to; else empty."},
+          {"match_reason", "", "Why the number of vertices is not within 2 % of match_vertices; else empty."},
+          {"host", "", "The machine of the run. Seconds from different machines must not be compared."},
           {"exclusive", "", "true if a scheduler gave the whole machine to the run, else false."}};
 }
 
@@ -51,7 +52,7 @@ void add(const std::vector<CsvColumn>& more, std::vector<CsvColumn>& columns) {
 
 CsvColumn column_of(const FigureDeclaration& figure) { return {figure.name, figure.unit, full_definition(figure)}; }
 
-// Those with lowest <= column < highest, sorted by it; equal ones stay in the order of the metrics.
+// The figures with lowest <= column < highest, sorted by column; if equal, in the order of the metrics.
 std::vector<CsvColumn> figure_columns(int lowest, int highest) {
   std::vector<const FigureDeclaration*> chosen;
   for (const FigureDeclaration& figure : declared_figures()) {
@@ -64,7 +65,7 @@ std::vector<CsvColumn> figure_columns(int lowest, int highest) {
   return columns;
 }
 
-// A metric may take any name, also one that stands here.
+// A metric may choose any name for its figure, even the name of another column.
 void check_names(const std::vector<CsvColumn>& columns) {
   std::set<std::string> names;
   for (const CsvColumn& column : columns) {
@@ -89,11 +90,11 @@ const std::vector<CsvColumn>& csv_columns() {
 }
 
 std::string columns_text() {
-  MarkdownTable table({"Column", "Unit", "What stands in it"});
+  MarkdownTable table({"Column", "Unit", "Definition"});
   for (const CsvColumn& column : csv_columns()) table.add({column.name, column.unit, column.definition});
   return "# The columns of results.csv\n\n"
-         "One row a run, in the order of the plan. Numbers are not rounded. An empty cell is a figure that was not "
-         "measured. Percentages run from 0 to 100.\n\n" +
+         "One row for each run, in the order of the plan. Numbers are not rounded. A figure that was not measured is "
+         "an empty cell. Percentages run from 0 to 100.\n\n" +
          table.text();
 }
 

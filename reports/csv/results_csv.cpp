@@ -63,7 +63,7 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
     }
     for (const CostDeclaration& cost : cost_declarations()) row[cost.figure.name] = text(record.*cost.value);
   }
-  // A request for a number of vertices is uniform, too: its edge length is the one that compares.
+  // A requested number of vertices is met with a uniform sizing, so it has an edge length, too.
   if (request.sizing.vertices && record.sizing) row["edge_length"] = text(record.sizing->largest);
   return row;
 }

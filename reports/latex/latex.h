@@ -1,5 +1,5 @@
-// The tables for a paper: booktabs and siunitx, values unrounded, rounding left to siunitx, and a macro for each
-// figure.
+// The tables for a paper, with booktabs and siunitx, and a macro for each figure. Values are not rounded here: siunitx
+// rounds them.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ namespace isobench {
 
 namespace {
 
-// Characters that may tell two names apart, but that TeX's names cannot have, become words.
+// Spells out characters that may distinguish two names but that TeX does not allow in names.
 std::string spelled(const std::string& text) {
   static const std::array<const char*, 10> digits = {"Zero", "One", "Two",   "Three", "Four",
                                                      "Five", "Six", "Seven", "Eight", "Nine"};
@@ -111,7 +111,7 @@ std::string latex_tables(const Results& results) {
       "\n"
       "% Read this with \\input in a document that loads booktabs and siunitx. No value is rounded: siunitx rounds in\n"
       "% the tables, and \\num[round-mode=figures,round-precision=3]{\\isobench...} in the text.\n\n"
-      "% A macro for each figure: \\isobench, data set, method, figure, each in capitals and small letters.\n";
+      "% A macro for each figure, named by data set, method and figure, e.g. \\isobenchSkullParticlesRadiusRatioMin.\n";
   text += latex_macros(results);
   if (results.published) {
     text += "\n% Where the published figures come from.\n\\newcommand{\\isobenchPublishedSource}{" +

@@ -70,7 +70,7 @@ int declared_columns(const std::string& line) {
   return columns;
 }
 
-// Columns that a row fills: one more than its "&", and what a \multicolumn spans beyond one.
+// Columns that a row fills: one more than the number of "&"; a \multicolumn counts as all columns that it spans.
 int filled_columns(const std::string& row) {
   int columns = 1;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -116,7 +116,7 @@ TEST(Latex, ValuesAreUnroundedAndRoundedByTheirColumn) {
             std::string::npos);
   EXPECT_EQ(line_with(text, "particles"),
             "particles & 0.30000000000000004 & 0.9449 & 0.30000000000000004 & 0.9449 &  $^\\dagger$ \\\\");
-  // Theirs are not rounded, nor filled up to our digits.
+  // Published figures are neither rounded nor filled up to our number of digits.
   EXPECT_EQ(line_with(text, "\\quad published"), "\\quad published & {0.40} & {0.92} & {0.092} & {0.94} &  \\\\");
   EXPECT_NE(line_with(text, "marching-cubes").find("\\multicolumn{3}{l}{timeout}"), std::string::npos);
   EXPECT_NE(text.find("\\par marching-cubes, skull, timeout: not finished after 20 minutes, at 50 \\%"),
@@ -153,8 +153,9 @@ TEST(Latex, TextIsEscaped) {
   EXPECT_EQ(latex_escaped("50 % of a_b & {c} $d #e ^f ~g \\h"),
             "50 \\% of a\\_b \\& \\{c\\} \\$d \\#e \\textasciicircum{}f \\textasciitilde{}g \\textbackslash{}h");
   EXPECT_EQ(latex_escaped("ε ≤ 2 × |κ|…"), "$\\varepsilon$ $\\le$ 2 $\\times$ \\textbar{}$\\kappa$\\textbar{}\\dots{}");
+  EXPECT_EQ(latex_escaped("§ 3 µs"), "\\S{} 3 $\\mu$s");
   EXPECT_EQ(latex_escaped("Müller"), "Müller");
-  // All that the tables say of themselves is in characters that LaTeX knows.
+  // All text of the tables becomes ASCII.
   for (const Results& results : {results_for_latex(), with_seeds(), with_grid()}) {
     for (const Table& table : all_tables(results)) {
       for (const char c : latex(table)) EXPECT_LT(static_cast<unsigned char>(c), 0x80U) << table.title;
@@ -175,7 +176,7 @@ TEST(Latex, AFigureHasAMacro) {
     EXPECT_NE(macros.find(line), std::string::npos) << line;
   }
   EXPECT_EQ(macros.find("SkullMarchingCubes"), std::string::npos);  // it has no figures
-  // Names are letters alone, and none is given twice.
+  // Names consist of letters only, and no name occurs twice.
   results.records.push_back(sample_record("skull", "particles", "par ticles"));
   results.records.push_back(sample_record("skull", "particles", "par-ticles"));
   std::set<std::string> names;

@@ -1,4 +1,4 @@
-// Text in LaTeX's words.
+// Text as LaTeX source.
 #include <map>
 
 #include "isobench/reports/latex/latex.h"
@@ -30,6 +30,8 @@ const std::map<std::string, std::string>& replacements() {
                                                          {"°", "$^\\circ$"},
                                                          {"²", "$^2$"},
                                                          {"³", "$^3$"},
+                                                         {"µ", "$\\mu$"},
+                                                         {"§", "\\S{}"},
                                                          {"†", "$^\\dagger$"},
                                                          {"‡", "$^\\ddagger$"},
                                                          {"≥", "$\\ge$"},

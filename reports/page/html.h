@@ -14,12 +14,12 @@ std::string html_escaped(std::string_view text);
 std::string html_prose(std::string_view text);
 /// Bytes in base 64.
 std::string base64(const std::string& bytes);
-/// "data:image/png;base64,…": stands where a file's address would, and holds the file's content.
+/// "data:image/png;base64,…": an address that holds the content of a file.
 std::string data_uri(const std::string& media_type, const std::string& bytes);
 
-/// A table with its title, remarks and folded definitions. A very long table is folded, too. Every cell carries the
-/// number that it is sorted by. A table with empty first cells cannot be sorted, because such a row belongs to the one
-/// above it.
+/// A table with its title, remarks and folded definitions. A very long table is folded, too. A cell with figures
+/// carries the number that it is sorted by. A table with empty first cells cannot be sorted, because such a row belongs
+/// to the one above it.
 std::string html(const Table& table);
 
 }  // namespace isobench

@@ -12,7 +12,7 @@ namespace isobench {
 
 namespace {
 
-// Leaves out the plots that stand under the publication's figures already.
+// Leaves out the plots that the page already shows among the figures of the publication.
 std::string plots_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
   std::string text;
   for (const Plot& plot : exhibits.plots) {
@@ -47,9 +47,10 @@ std::string tables_html(const Results& results) {
   if (text.empty()) return "";
   return "<section id=\"tables\"><h2>Tables</h2>\n" + text +
          "<p class=\"remark\">† The mesh is not a closed manifold. It counts in medians only if no mesh of the same "
-         "cell is one. ‡ The mesh does not have the number of vertices that it should be matched to.</p>\n"
+         "cell is a closed manifold. ‡ The mesh does not have the number of vertices that it should be matched to."
+         "</p>\n"
          "<p class=\"remark\">All figures without rounding: <a href=\"results.csv\">results.csv</a> "
-         "(<a href=\"results.columns.md\">meaning of its columns</a>). For LaTeX: "
+         "(<a href=\"results.columns.md\">definitions of its columns</a>). For LaTeX: "
          "<a href=\"tables.tex\">tables.tex</a>.</p>\n</section>\n";
 }
 
@@ -57,7 +58,7 @@ std::string banner(const Results& results, const Exhibits& exhibits) {
   std::string text;
   if (!results.missing.empty()) {
     text += fmt::format(
-        "<p class=\"notice\">Half-finished: {} of {} runs are not done yet. This page shows the others. Give the same "
+        "<p class=\"notice\">Half-finished: {} of {} runs are not done yet. This page shows the others. Call the same "
         "<code>isobench run</code> again to continue.</p>\n",
         results.missing.size(), results.missing.size() + results.records.size());
   }
@@ -117,7 +118,7 @@ std::string page(const Results& results, Exhibits exhibits, const std::filesyste
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          title + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" + page_style +
          "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n" + banner(results, exhibits) + navigation(body) + body +
-         "<script>\n" + page_script + turning_script + "</script>\n</body>\n</html>\n";
+         "<script>\n" + page_script + view_3d_script + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace isobench

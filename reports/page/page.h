@@ -1,4 +1,4 @@
-// report.html: a whole results folder in one file. To read it takes no network, no server and no scripts.
+// report.html: a whole results folder in one file. Reading it needs no network, no server and no scripts.
 #pragma once
 
 #include <filesystem>
@@ -25,15 +25,15 @@ struct Exhibits {
 /// The text of report.html. Reads the files of plots and pictures from `folder`. The same results give the same bytes.
 std::string page(const Results& results, Exhibits exhibits, const std::filesystem::path& folder);
 
-// Sections of the page; "" where a section would be empty.
+// Sections of the page; "" if a section would be empty.
 
-/// What was compared, what was matched, which claims held, and which method is best at what.
+/// What was compared, what was matched, which claims held, and which methods are best.
 std::string summary_html(const Results& results);
 /// Runs that are not done, failed, were skipped or have a damaged record.
 std::string gaps_html(const Results& results);
 /// The claims of the publication, each with its verdict and both the measured and the published values.
 std::string claims_html(const Results& results);
-/// The figures of the publication, by number, made from our pictures and plots. Notes these plots in `exhibits.shown`.
+/// The figures of the publication, by number, made from our pictures and plots. Adds these plots to `exhibits.shown`.
 std::string plates_html(const Results& results, Exhibits& exhibits, const std::filesystem::path& folder);
 /// Links to the meshes, and copies of them that the page's script shows in 3D.
 std::string turnable_html(const Exhibits& exhibits, const std::filesystem::path& folder);

@@ -106,7 +106,7 @@ class PageInABrowser : public testing::Test {
     EXPECT_EQ(browser_->ask("return Array.from(document.querySelectorAll('table')).filter((t) => t.rows.length < 2 && "
                             "t.className !== 'facts').length"),
               0);
-    // One figure is there; for the other one the page says what it needs.
+    // One figure is shown. For the other one the page says what it needs.
     EXPECT_EQ(browser_->ask("return document.querySelectorAll('#figures h3').length"), 2);
     EXPECT_NE(html.find("It needs a finished run of vessel"), std::string::npos);
   }
@@ -172,7 +172,7 @@ TEST_F(PageInABrowser, ShowsAllSortsAndTurns) {
 TEST_F(PageInABrowser, ReadsWithoutScripts) {
   browser_->forbid_scripts();
   browser_->open(page_);
-  // No script of the page has run, and everything to be read is there.
+  // No script of the page has run, and all text is there.
   EXPECT_EQ(browser_->ask("return document.querySelectorAll('button').length"), 0);
   const std::string text = browser_->ask("return document.body.innerText");
   for (const std::string part : {"Compared: 2 methods", "Worst triangle", "Figure 6", "A torus.", "How to cite"})

@@ -110,7 +110,7 @@ std::string run_html(const RunRecord& record) {
          facts.html() + "</details>\n";
 }
 
-// Nobody reads more folds or links than this, and results.csv and each run.json hold the same.
+// Nobody reads more folds or links, and results.csv and each run.json hold the same.
 constexpr std::size_t most_folds = 200;
 constexpr std::size_t most_links = 2000;
 

@@ -9,8 +9,8 @@
 #include "isobench/reports/plots/plots.h"
 #include "isobench/reports/record/sample_records.h"
 #include "isobench/reports/report.h"
+#include "isobench/reports/tables/best_methods.h"
 #include "isobench/reports/tables/tables.h"
-#include "isobench/reports/tables/verdict.h"
 
 namespace isobench {
 namespace {
@@ -90,7 +90,7 @@ TEST(Page, SaysInWordsWhatWasComparedAndWhatHeld) {
   EXPECT_NE(text.find("Matched: nothing."), std::string::npos);
   EXPECT_NE(text.find("Runs: 4 planned, 3 ok, 1 timeout."), std::string::npos);
   EXPECT_NE(text.find("Claims of Meyer, Kirby, Whitaker 2007: "), std::string::npos);
-  EXPECT_NE(text.find("Worst triangle: radius ratio: ours on 1, theirs on 1 of 2 data sets."), std::string::npos);
+  EXPECT_NE(text.find("Worst triangle (radius ratio): ours on 1, theirs on 1 of 2 data sets."), std::string::npos);
 }
 
 TEST(Page, NamesTheBestWithItsFlaws) {
@@ -101,7 +101,7 @@ TEST(Page, NamesTheBestWithItsFlaws) {
   ASSERT_EQ(worst.figure, "radius_ratio_min");
   EXPECT_EQ(best(worst, runs, "pelvis").text, "theirs †: 0.500");
   EXPECT_EQ(best(worst, runs, "skull").names, (std::vector<std::string>{"ours"}));
-  // What prints alike is alike.
+  // Values that print alike count as equal.
   results.records[1].measurement->set("radius_ratio_min",
                                       results.records[0].measurement->number("radius_ratio_min") * 1.000001);
   EXPECT_EQ(best(worst, arrange_runs(results), "pelvis").names.size(), 2U);
@@ -132,7 +132,7 @@ TEST(Page, StaysAPageForVeryManyRuns) {
   EXPECT_EQ(count_of(text, "<details class=\"run\">"), 200U);
   EXPECT_NE(text.find("3802 further runs are too many to be listed here"), std::string::npos);
   EXPECT_NE(text.find("more runs that failed or were skipped."), std::string::npos);
-  EXPECT_LT(text.size(), usual + 700000);  // a thousand rows of what failed, two hundred folds
+  EXPECT_LT(text.size(), usual + 700000);  // a thousand rows for failed runs, two hundred folds
 }
 
 TEST(Page, PutsEveryClaimUnderItsVerdict) {
@@ -148,7 +148,7 @@ TEST(Page, FoldsTheProvenanceOfEachRun) {
   EXPECT_EQ(count_of(text, "<details class=\"run\">"), results.records.size());
   EXPECT_NE(text.find("start = grid, fine, sweeps = 60"), std::string::npos);
   EXPECT_NE(text.find("commit abcdef"), std::string::npos);
-  EXPECT_EQ(count_of(text, "mesh.vtp"), 2 * 3U);  // that of the run that timed out does not exist
+  EXPECT_EQ(count_of(text, "mesh.vtp"), 2 * 3U);  // the run that timed out has no mesh
 }
 
 TEST(Page, CitesDataWithLicenceAndAcknowledgement) {
@@ -217,7 +217,7 @@ TEST(Page, LeavesRunsForAFigureOutOfTheTables) {
     }
   }
   for (const Table& table : all_tables(results)) {
-    const bool grid = table.title.starts_with("ε down");
+    const bool grid = table.title.starts_with("Grid of ε");
     EXPECT_EQ(html(table).find("unfinished") != std::string::npos, grid) << table.title;
   }
   EXPECT_NE(summary_html(results).find("Not compared: 4 runs, made for single figures and claims."), std::string::npos);

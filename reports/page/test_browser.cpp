@@ -99,7 +99,7 @@ Browser::Browser(const fs::path& folder)
 Browser::~Browser() {
   try {
     if (!session_.empty()) call("DELETE", "/session/" + session_, Json::object());
-  } catch (const std::exception&) {  // the driver is ended below in any case
+  } catch (const std::exception&) {  // the driver ends with driver_ in any case
   }
 }
 

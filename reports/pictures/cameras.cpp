@@ -34,7 +34,7 @@ View view_of_all(const std::vector<const TriangleMesh*>& meshes) {
   View view;
   view.focus = box.center();
   view.towards = from_a_corner;
-  // The picture must hold all corners of the box as the eye sees them.
+  // The picture must show all corners of the box.
   const Eigen::Vector3d direction = from_a_corner.normalized();
   const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized();
   const Eigen::Vector3d up = direction.cross(right);

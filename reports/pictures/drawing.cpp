@@ -62,8 +62,8 @@ std::vector<double> at_vertices(const Artefact& sizing, const std::string& field
   return result;
 }
 
-// The range of the colours is that of the middle 96 % of the values: a few outliers would leave one colour for the
-// rest.
+// The colours cover the middle 96 % of the values. Otherwise a few outliers could leave one colour for all other
+// values.
 void fit_range(const std::vector<double>& values, Scene& scene) {
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
@@ -86,7 +86,7 @@ std::string edge_counts(const TriangleMesh& mesh, const std::vector<double>& h) 
   return fmt::format("{}\n", fmt::join(counts, " "));
 }
 
-// Draws the files of one group, whose meshes are seen with the same views.
+// Draws the files of one group. All meshes of a group have the same views.
 class Painter {
  public:
   Painter(const PictureGroup& group, const fs::path& folder, std::unique_ptr<Renderer>& renderer)

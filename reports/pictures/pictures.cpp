@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nobody looks at more than these, and each one makes the page larger.
+// Nobody looks at more pictures, and each one makes the page larger.
 constexpr std::size_t most_of_a_dataset = 24;
 constexpr std::size_t most_meshes = 72;
 constexpr std::size_t most_triangles = 20000;          // of one mesh that the page shows in 3D
@@ -53,7 +53,7 @@ PictureGroup dataset_group(const RunGrid& runs, const std::string& dataset, std:
 PictureGroup grid_group(const SizingGrid& grid) {
   PictureGroup group;
   group.dataset = grid.dataset;
-  group.title = fmt::format("{}, {}: ε down, δ across", grid.dataset, grid.label);
+  group.title = fmt::format("{}, {}: grid of ε (rows) and δ (columns)", grid.dataset, grid.label);
   group.grid = true;
   group.across = grid.deltas.size();
   for (const double epsilon : grid.epsilons) {
@@ -87,7 +87,7 @@ std::string caption_of(const RunRecord& run, const std::string& shot) {
   if (shot == shots::medial_axis)
     return "the medial axis inside the surface, coloured by its distance to the surface, mm";
   if (shot == shots::initial_sizing) return "h0, the longest edge that the sampling theory allows, mm";
-  if (shot == shots::limited_sizing) return "h, the same with its growth limited, mm";
+  if (shot == shots::limited_sizing) return "h, which is h0 with its growth limited, mm";
   return "the particles before they are connected";
 }
 

@@ -1,5 +1,5 @@
 // The pictures of a results folder: which ones there are, and how they are made. A separate program, isobench-pictures,
-// draws them, because only this program loads the libraries for drawing.
+// draws them, so that no other program loads the libraries for drawing.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace isobench {
 
-/// Runs whose meshes are drawn with the same views: all of a data set, or all of a grid of ε and δ. Of several seeds or
-/// repeats the first finished run is drawn.
+/// Runs whose meshes are drawn with the same views: all of a data set, or all of a grid of ε and δ. If there are
+/// several seeds or repeats, the first finished run is drawn.
 struct PictureGroup {
   std::string dataset;
   std::string title;

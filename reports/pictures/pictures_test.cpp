@@ -145,7 +145,7 @@ void store(RunRecord& record, const TriangleMesh& mesh, const std::filesystem::p
   write_mesh(mesh, folder / record.request.run / "mesh.vtp");
 }
 
-// For the program that draws: it reads the folder itself.
+// isobench-pictures reads the plan and the records from the folder.
 void write_plan(const Results& results, const std::filesystem::path& folder) {
   std::vector<RunRequest> plan;
   for (const RunRecord& record : results.records) {
@@ -175,7 +175,7 @@ TEST(DrawnPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   for (const Picture& picture : first.pictures) {
     const Pixels pixels(read_text(folder.path() / picture.file));
     const int filled = pixels.count([](const Colour& c) { return !is_white(c); });
-    EXPECT_GT(filled, pixels.width() * pixels.height() / 40) << picture.file;  // nowhere blank
+    EXPECT_GT(filled, pixels.width() * pixels.height() / 40) << picture.file;  // no picture is blank
   }
   EXPECT_EQ(first.pictures[0].title, "ours");
   EXPECT_EQ(first.pictures[0].group, first.pictures[1].group);
@@ -183,11 +183,11 @@ TEST(DrawnPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
   const auto written = std::filesystem::last_write_time(folder.path() / first.pictures[0].file);
   make_pictures(results, folder.path());
   EXPECT_EQ(std::filesystem::last_write_time(folder.path() / first.pictures[0].file), written);
-  // What was lost is made again.
+  // A lost file is made again.
   std::filesystem::remove(folder.path() / first.pictures[0].preview);
   EXPECT_EQ(make_pictures(results, folder.path()).pictures.size(), 6U);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / first.pictures[0].preview));
-  // Another mesh: other pictures, and none left over.
+  // Another mesh gives other pictures, and the old ones are removed.
   results.records[1].mesh_checksum = "another";
   write_plan(results, folder.path());
   const Pictures second = make_pictures(results, folder.path());
@@ -205,14 +205,14 @@ TEST(DrawnPictures, OfAMeshThatIsGoneAreMissedAloud) {
   EXPECT_NE(pictures.missing[0].find("mesh.vtp"), std::string::npos);
 }
 
-// What a run leaves behind that keeps its artefacts.
+// Writes the files of a run that keeps its artefacts.
 void keep_artefacts(RunRecord& record, const TriangleMesh& mesh, const std::filesystem::path& folder) {
   record.request.artefacts = true;
   Artefact axis;
   for (int n = 0; n < 200; ++n) {
     const double angle = 2.0 * M_PI * n / 200;
     axis.points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
-    axis.points.emplace_back(9.0, 9.0, 0.1 * n);  // outside the torus: not to be seen
+    axis.points.emplace_back(9.0, 9.0, 0.1 * n);  // outside the torus: not drawn
   }
   axis.data["radius"].assign(axis.points.size(), 1.0);
   Artefact sizing{mesh.vertices, {}};
@@ -265,7 +265,7 @@ TEST(DrawnPictures, OfAGridStandInItsRows) {
   }
   write_plan(results, folder.path());
   const Pictures pictures = make_pictures(results, folder.path());
-  ASSERT_EQ(pictures.pictures.size(), 6U);  // and none beside them: they are aside
+  ASSERT_EQ(pictures.pictures.size(), 6U);  // no others, because the runs are aside
   EXPECT_EQ(pictures.across, 3U);
   EXPECT_EQ(pictures.pictures[3].title, "ε 0.5, δ 0.6");
   EXPECT_TRUE(pictures.turnable.empty());

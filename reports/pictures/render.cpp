@@ -82,10 +82,10 @@ vtkSmartPointer<vtkPolyData> to_vtk(const Scene& scene) {
   return data;
 }
 
-// The colour bar has the part of the width from here on.
+// The colour bar begins at this share of the width.
 constexpr double bar_from = 0.83;
 
-// Viridis: its steps look even, also to colour-blind readers. Bad triangles are dark.
+// Viridis: its steps look even, also to colour-blind readers. Low values are dark.
 vtkSmartPointer<vtkColorTransferFunction> colours(const Scene& scene) {
   auto scale = vtkSmartPointer<vtkColorTransferFunction>::New();
   const auto at = [&scene](double share) { return scene.low + share * (scene.high - scene.low); };
@@ -284,7 +284,8 @@ Drawing Renderer::draw(const Scene& scene, const View& view) {
   window->AddRenderer(renderer);
   window->AddRenderer(strip);
   renderer->ResetCameraClippingRange();
-  // VTK puts the near plane at a fixed share of the depth, which in a close view is behind the triangle to be shown.
+  // VTK puts the near plane at a fixed share of the depth. In a close view this plane is behind the triangle to be
+  // shown.
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetClippingRange(0.01 * view.eye_distance, std::max(camera->GetClippingRange()[1], view.eye_distance * 2.0));
   window->Render();

@@ -17,7 +17,7 @@ struct View {
   Eigen::Vector3d focus;      ///< the point in the middle of the picture
   Eigen::Vector3d towards;    ///< direction from the focus to the eye; any length
   double half_height = 1.0;   ///< half of the height that the picture shows
-  double eye_distance = 1.0;  ///< from the focus to the eye; what is behind the eye is not drawn
+  double eye_distance = 1.0;  ///< from the focus to the eye; parts behind the eye are not drawn
 };
 
 /// What is drawn: a mesh and points, or one of them. Triangles are coloured by their own values or by the values of
@@ -42,10 +42,10 @@ struct Drawing {
   std::string jpeg;
 };
 
-/// To be raised when the same scene and view give another picture, so that stored pictures are drawn again.
+/// Raise it when the same scene and view give another picture, so that stored pictures are drawn again.
 inline constexpr int render_revision = 2;
 
-/// Draws into memory, without display or graphics card. A process must not have two of them at a time.
+/// Draws into memory, without display or graphics card. A process must not have two of them at the same time.
 class Renderer {
  public:
   /// Throws Error, with the remedy, if Mesa's EGL is not installed.
@@ -54,7 +54,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// An empty scene gives a white picture with the colour bar.
+  /// A scene without mesh and points gives a white picture, with the colour bar if there is a legend.
   Drawing draw(const Scene& scene, const View& view);
 
  private:

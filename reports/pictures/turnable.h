@@ -1,4 +1,4 @@
-// Small mesh files for the 3D view of the page, read by reports/page/turning.js. The same mesh gives the same bytes.
+// Small mesh files for the 3D view of the page, read by reports/page/view_3d.js. The same mesh gives the same bytes.
 #pragma once
 
 #include <cstddef>

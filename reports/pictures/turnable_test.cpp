@@ -56,7 +56,7 @@ ValuedMesh read_back(const std::string& bytes) {
 
 using Corners = std::vector<std::array<double, 9>>;
 
-// The triangles as coordinates in a normal order, because a file may have them in another order.
+// The triangles as sorted coordinates, because a file may have them in another order.
 Corners corners_of(const TriangleMesh& mesh, double step) {
   Corners all;
   for (const Triangle& t : mesh.triangles) {

@@ -24,13 +24,14 @@ void make_file_names(std::vector<Plot>& plots) {
   }
 }
 
-// Nobody can tell apart more than these.
+// Readers cannot tell more series or categories apart.
 constexpr std::size_t most_series = 16;
 constexpr std::size_t most_categories = 24;
 
 void keep_readable(Plot& plot) {
   if (plot.marks == Marks::stack && plot.categories.size() > most_categories) {
-    plot.caption += fmt::format(" Shown are the first {1} of {0} methods.", plot.categories.size(), most_categories);
+    plot.caption +=
+        fmt::format(" Only the first {1} of {0} methods are shown.", plot.categories.size(), most_categories);
     plot.categories.resize(most_categories);
     for (Series& series : plot.series) {
       series.x.resize(std::min(series.x.size(), most_categories));
@@ -38,7 +39,7 @@ void keep_readable(Plot& plot) {
     }
   }
   if (plot.marks != Marks::stack && plot.series.size() > most_series) {
-    plot.caption += fmt::format(" Shown are the first {1} of {0} series.", plot.series.size(), most_series);
+    plot.caption += fmt::format(" Only the first {1} of {0} series are shown.", plot.series.size(), most_series);
     plot.series.resize(most_series);
   }
 }

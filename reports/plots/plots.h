@@ -11,8 +11,8 @@
 namespace isobench {
 
 /// All plots that have data, the most important first. `over_h` comes from the runs that kept their sizing field. A
-/// method has the same colour in all plots. Histograms add up the runs of several seeds or repeats, as far as they
-/// count (counted_runs()). Traces and stages show one run.
+/// method has the same colour in all plots. Histograms add up the runs of several seeds or repeats that count
+/// (counted_runs()). Traces and stages show one run.
 std::vector<Plot> all_plots(const Results& results, const std::vector<EdgesOverH>& over_h = {});
 
 // The kinds of plots, one plot for each data set unless the comment says otherwise. Empty plots are left out.
@@ -28,8 +28,8 @@ std::vector<Plot> stage_plots(const RunGrid& runs);
 std::vector<Plot> size_plots(const RunGrid& runs);
 /// Figures over δ, one curve for each ε; one plot for each grid that sizing_grids() finds.
 std::vector<Plot> sizing_plots(const Results& results);
-/// The paper's Figure 3. First how much nearer a particle and the next but one are on a circle than on a line; then,
-/// for each run in `over_h`, edge lengths divided by the sizing field h.
+/// The paper's Figure 3. The first plot shows how much nearer the second neighbour of a particle is on a circle than on
+/// a line. The others show, for each run in `over_h`, edge lengths divided by the sizing field h.
 std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h);
 
 }  // namespace isobench

@@ -73,7 +73,7 @@ double median_of(const Runs& runs, const Figure& figure) {
   return spread_of(std::move(values)).median;
 }
 
-// One point for each finished run on any data set. Where these are too many, one point for all seeds and repeats of a
+// One point for each finished run on any data set. If these are too many, one point for all seeds and repeats of a
 // method on a data set.
 Plot over_vertices(const RunGrid& runs, const std::string& name, const std::string& y_label, const Figure& y,
                    bool timed = false) {

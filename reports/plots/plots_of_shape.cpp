@@ -11,7 +11,7 @@ namespace isobench {
 
 namespace {
 
-// The runs of one entry together, bin by bin; without bins where they do not fit together.
+// The sum of the runs' histograms, bin by bin. It has no bins if their numbers of bins differ.
 Histogram sum(const Runs& runs, const std::string& histogram) {
   Histogram all;
   for (const RunRecord* run : counted_runs(runs)) {
@@ -42,7 +42,7 @@ Series series_of(const Histogram& histogram, const std::string& name, std::size_
   return series;
 }
 
-// One plot a dataset, all methods over each other; `plot` has what they share.
+// One plot for each dataset, with all methods in it. `shared` holds what the plots have in common.
 std::vector<Plot> histogram_plots(const RunGrid& runs, const Plot& shared, const std::string& histogram) {
   std::vector<Plot> plots;
   for (const std::string& dataset : runs.datasets) {
@@ -81,7 +81,7 @@ std::vector<Plot> edge_length_plots(const RunGrid& runs) {
   plot.name = "edge-over-h0";
   plot.title = "Edge lengths divided by h0";
   plot.caption =
-      "h0 is the longest edge that the sampling theory allows at a place. Right of 1 the mesh is too coarse there. The "
+      "h0 is the longest edge that the sampling theory allows at a place. Edges with a ratio above 1 are too long. The "
       "last bin has all values above 2. Same axes as in Figures 3 and 4 of the paper.";
   plot.x_label = "edge length / h0";
   plot.y_label = "% of the edges in each bin of 0.01";
@@ -114,10 +114,10 @@ std::vector<Plot> contraction_plots(const std::vector<EdgesOverH>& over_h) {
   circle.kind = circle.name = "contraction";
   circle.title = "Equally spaced particles on a circle";
   circle.caption =
-      "The distance between a particle and the next but one, divided by twice the distance between neighbours (from "
-      "equation 6 of the paper). Neighbours are at most ε radii apart.";
+      "The distance between a particle and its second neighbour, divided by twice the distance between neighbours "
+      "(from equation 6 of the paper). Neighbours are at most ε radii apart.";
   circle.x_label = "distance between neighbours / radius of the circle";
-  circle.y_label = "distance to the next but one / twice that distance";
+  circle.y_label = "distance to 2nd neighbour / (2 × distance to 1st)";
   circle.series.push_back({"on a circle", 0, {}, {}});
   circle.series.push_back({"on a line", 6, {0.0, 1.0}, {1.0, 1.0}});
   for (int n = 0; n <= 100; ++n) {

@@ -36,7 +36,7 @@ PublishedQuantity quantity_from(const TomlValue& table) {
   return {table.require("name").as_string(), text_or(table, "unit"), text_or(table, "meaning")};
 }
 
-// The number that was printed; "149 × 188 × 148" is none and leaves `value` empty.
+// Reads the printed number. "149 × 188 × 148" is not a number and leaves `value` empty.
 void parse_printed(PublishedFigure& figure) {
   std::string number = figure.printed;
   if (number.starts_with("<")) {

@@ -22,8 +22,8 @@ namespace isobench {
 
 struct PublishedMethod {
   std::string printed;              ///< name in the publication
-  std::string name;                 ///< name of our method for it
-  std::vector<std::string> beside;  ///< more of our methods that its figures are shown beside
+  std::string name;                 ///< name of our implementation
+  std::vector<std::string> beside;  ///< other methods of ours; its figures are shown beside theirs, too
 };
 
 struct PublishedQuantity {

@@ -58,7 +58,8 @@ void read_order(PublishedClaim& claim, const TomlValue& order, const Published& 
       claim.relations.push_back(relation_from(order, word));
   }
   if (claim.order.size() < 2 || claim.order.size() == claim.relations.size()) {
-    throw UsageError(order.place(), "an order needs at least two methods, e.g. \"ps > af > mc\"");
+    throw UsageError(order.place(),
+                     "an order needs at least two methods and a sign between each two, e.g. \"ps > af > mc\"");
   }
   // "a > b < c" says nothing about a and c, so nothing could be tested where b was not run.
   if (std::any_of(claim.relations.begin(), claim.relations.end(), upward) &&
@@ -149,7 +150,7 @@ PublishedClaim claim_from(const TomlValue& table, const Published& published) {
   if (const auto order = table.find("order")) read_order(claim, *order, published);
   read_meanings(claim, table);
   if (const auto data = table.find("data")) {
-    claim.average = known_name(*data, data->as_string(), "way to take the data", {"each", "average"}) == "average";
+    claim.average = known_name(*data, data->as_string(), "value of 'data'", {"each", "average"}) == "average";
   }
   if (const auto method = table.find("method")) {
     claim.method = known_name(*method, method->as_string(), "published method", printed_methods(published));

@@ -3,7 +3,7 @@
 //   words = "…"                                 the claim in a sentence
 //   differs = "…"                               how our test differs from what was published; optional
 //   figure = "radius_ratio_min"                 a figure of results.csv, or a list of figures, which are added up
-//   published = "…"                             the file's name for this quantity, where it is not the figure's
+//   published = "…"                             the file's name for this quantity, if the figure has another name
 //
 // and one of three forms:
 //
@@ -35,13 +35,13 @@ struct PublishedClaim {
   std::string words;
   std::string differs;
   std::vector<std::string> figures;  ///< added up
-  std::string quantity;              ///< the published file's name for it; "" where the file gives no values
+  std::string quantity;              ///< the published file's name for it; "" if the file gives no values
 
   // An order.
   std::vector<std::string> order;   ///< methods as printed; empty in a claim of another form
   std::vector<Relation> relations;  ///< between each method and the next
-  double about = 0.0;               ///< meaning of "~"; 0 where it is not used
-  double much = 0.0;                ///< meaning of ">>" and "<<"; 0 where they are not used
+  double about = 0.0;               ///< meaning of "~"; 0 if it is not used
+  double much = 0.0;                ///< meaning of ">>" and "<<"; 0 if they are not used
   bool average = false;             ///< tested for the mean over the data sets
 
   // A bound or a trend.

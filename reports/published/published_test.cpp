@@ -61,7 +61,8 @@ TEST(Published, MistakesHaveTheirPlace) {
   };
   EXPECT_NE(mistake("method = \"xx\"", "method = \"xy\"").find("published.toml:13:"), std::string::npos);
   EXPECT_NE(mistake("share = \"<", "shore = \"<").find("'share'"), std::string::npos);
-  EXPECT_NE(mistake("\"0.40\"", "0.40").find("published.toml:15:"), std::string::npos);  // loses a digit: a string
+  // A number would lose its last digit, so it must be a string.
+  EXPECT_NE(mistake("\"0.40\"", "0.40").find("published.toml:15:"), std::string::npos);
 }
 
 TEST(Published, FiguresHaveNumbersAndShowWhatIsKnown) {

@@ -24,7 +24,7 @@ std::string cpu_model() {
   return "unknown";
 }
 
-// What the scheduler lets this process use, which in a container is less than what the machine has.
+// The cores that this process may use. In a container they may be fewer than the machine has.
 int usable_cores() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -44,7 +44,7 @@ std::string variable(const char* name) {
 }  // namespace
 
 std::string host_name() {
-  // Several nodes of a cluster may be one machine: what the scheduler calls it is its name.
+  // Several nodes of a cluster may run on one machine, so Slurm's name of the node comes first.
   if (std::string node = variable("SLURMD_NODENAME"); !node.empty()) return node;
   char name[256] = {};
   return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";

@@ -31,7 +31,7 @@ std::string slurm_task();
 /// UTC, ISO 8601, to the second.
 std::string utc_now();
 
-/// Of this program on this machine, now.
+/// The environment of this process, now.
 Environment environment();
 
 }  // namespace isobench

@@ -1,4 +1,5 @@
-# cmake -DSOURCE=<tree> -DOUTPUT=<file> -P git_commit.cmake: writes the commit of the tree, touching the file only where it changed.
+# cmake -DSOURCE=<tree> -DOUTPUT=<file> -P git_commit.cmake: writes the commit of the tree. Leaves the file alone if
+# nothing changed.
 set(commit "unknown")
 set(dirty "false")
 find_program(GIT git)

@@ -15,20 +15,19 @@ namespace isobench {
 
 using Json = nlohmann::ordered_json;
 
-// JSON cannot say a number that is not finite.
+// JSON has no numbers that are not finite; they become null.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 inline void read(const Json& json, double& value) {
   value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
-// The library's own get<int>() takes 1e300, "true" and 2^40 for an int without a word.
+// Throws for 1e300, true and 2^40, which the library's own get<int>() accepts.
 template <class Integer>
 Integer integer(const Json& json) {
   const bool fits = json.is_number_unsigned()
                         ? std::in_range<Integer>(json.get<std::uint64_t>())
                         : json.is_number_integer() && std::in_range<Integer>(json.get<std::int64_t>());
-  if (!fits)
-    throw DataError(json.dump().substr(0, 40) + " stands where a whole number should, or is too large for one");
+  if (!fits) throw DataError(json.dump().substr(0, 40) + " is not a whole number, or is too large");
   return json.get<Integer>();
 }
 template <class Integer>
@@ -49,10 +48,10 @@ inline std::optional<double> optional_number(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
 }
 
-// Notes and reasons may quote what is no UTF-8, for which the library would throw.
+// Notes and reasons may quote text that is not UTF-8. The library would throw; here the wrong bytes are replaced.
 inline std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-// Runs `body`; an error of the JSON library becomes one sentence about `origin`.
+// Runs `body`. Any exception becomes a DataError with one sentence that names `origin`.
 template <class Body>
 auto located(const std::string& origin, const char* what, Body&& body) {
   try {

@@ -34,7 +34,7 @@ class NamedNumbers {
   };
 
   NamedNumbers() = default;
-  NamedNumbers(const std::map<std::string, double>& numbers) {  // NOLINT: stands where a map would stand
+  NamedNumbers(const std::map<std::string, double>& numbers) {  // NOLINT: used in place of a map
     Names names;
     names.reserve(numbers.size());
     values_.reserve(numbers.size());

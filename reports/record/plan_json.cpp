@@ -59,8 +59,8 @@ Json request_to_json(const RunRequest& r) {
 
 namespace {
 
-// These become names of folders that are made, replaced and removed, and sizes of what is computed: a folder of results
-// may come from anybody.
+// A results folder may come from anybody. These values become names of folders that are made, replaced and removed, and
+// determine how much is computed.
 void check(const RunRequest& r) {
   for (const std::string& name : {std::filesystem::path(r.dataset).stem().string(), r.method}) {
     if (!is_plain_name(name)) throw DataError("'" + name + "' cannot be the name of a dataset or a method");
@@ -89,10 +89,9 @@ RunRequest request_from_json(const Json& json) {
   r.sizing.floor = json.at("floor_voxels").get<double>();
   r.sizing.edge_length = optional_number(json.at("edge_length"));
   r.sizing.vertices = optional_number(json.at("vertices"));
-  r.match_to = json.value("match_to", "");  // plans of before there was matching have none
+  r.match_to = json.value("match_to", "");  // older plans have none
   r.seed = integer<std::uint64_t>(json.at("seed"));
-  if (json.contains("repeat"))
-    r.repeat = integer<int>(json.at("repeat"));  // plans of before there were repeats have none
+  if (json.contains("repeat")) r.repeat = integer<int>(json.at("repeat"));  // older plans have none
   r.alone = json.value("alone", false);
   r.artefacts = json.value("artefacts", false);
   r.aside = json.value("aside", false);
@@ -104,7 +103,7 @@ RunRequest request_from_json(const Json& json) {
   return r;
 }
 
-// Run by run: a hundred thousand parsed at once would take several times the memory of the plan.
+// Writes run by run: the JSON of a hundred thousand runs would take several times the memory of the plan.
 void write_plan(std::ostream& file, const std::vector<RunRequest>& plan) {
   file << "{\n \"schema_version\": " << RunRecord::schema_version << ",\n \"runs\": [";
   for (std::size_t n = 0; n < plan.size(); ++n) {
@@ -124,11 +123,11 @@ std::string plan_to_json(const std::vector<RunRequest>& plan) {
 std::vector<RunRequest> plan_from_json(const std::string& text, const std::string& origin) {
   return located(origin, "plan", [&] {
     std::vector<RunRequest> plan;
-    // Most runs have the parameters of others. As text: 0.0 and -0.0 are equal, but not the same parameter.
+    // Most runs share their parameters. They are found by text: 0.0 and -0.0 are equal, but not the same parameter.
     std::map<std::string, SharedValue<ParameterValues>> parameters;
     bool runs = false;
-    // Each run is taken over when it has been read and dropped from the parsed text, which of a hundred thousand would
-    // take several times the memory of the plan.
+    // Converts each run once it is parsed and drops its JSON: the JSON of a hundred thousand runs would take several
+    // times the memory of the plan.
     const auto take_over = [&](int depth, Json::parse_event_t event, Json& parsed) {
       if (depth == 1 && event == Json::parse_event_t::key) runs = parsed == "runs";
       if (!runs || depth != 2 || event != Json::parse_event_t::object_end) return true;

@@ -34,9 +34,9 @@ struct RunRequest {
   std::string label;                        ///< tells apart two entries of one method
   SharedValue<ParameterValues> parameters;  ///< every parameter of the method
   SizingRequest sizing;
-  std::string match_to;  ///< the run whose number of vertices this one is brought to; "" where none is
+  std::string match_to;  ///< the run whose number of vertices this one is matched to; "" if none
   std::uint64_t seed = 1;
-  int repeat = 1;          ///< number of the repeat; repeats are made for their seconds
+  int repeat = 1;          ///< number of the repeat; a run is repeated to measure its seconds again
   bool alone = false;      ///< nothing else of its experiment runs at the same time, so that its seconds count
   bool artefacts = false;  ///< also store the medial axis, the sizing and the particles
   bool aside = false;      ///< for a plot of its own; the tables that compare leave it out
@@ -101,10 +101,10 @@ struct RunRecord {
   bool deterministic = true;  ///< as the method declares
   Environment environment;
 
-  std::optional<DatasetRecord> dataset;  ///< where the run came as far as loading it
-  std::optional<MatchRecord> match;      ///< exactly where the request has match_to and the status is ok
+  std::optional<DatasetRecord> dataset;  ///< set if the run got as far as loading it
+  std::optional<MatchRecord> match;      ///< set if the request has match_to and the status is ok
   std::optional<SizingRecord> sizing;
-  std::optional<Measurement> measurement;  ///< exactly where status is ok
+  std::optional<Measurement> measurement;  ///< set if the status is ok
   std::optional<MeasuredAgain> measured_again;
   std::string mesh_checksum;  ///< checksum() of the mesh in mesh.vtp; "" where there is none
 
@@ -120,8 +120,8 @@ struct RunRecord {
   std::vector<std::string> notes;
 };
 
-/// Figures have the names that results.csv gives them. One that was not measured is null; one that is unknown, because
-/// the record is older than the figure, is left out. Numbers that are not finite are null.
+/// Figures have the names of results.csv. A figure that was not measured is null. A figure that is unknown, because the
+/// record is older than the figure, is left out. Numbers that are not finite are null.
 std::string to_json(const RunRecord& record);
 /// Throws DataError that names `origin` if the text is no record, or a record of another schema version. Records of
 /// program version 0.1.0 have the same schema version, and lack the figures that were added later.

@@ -1,4 +1,4 @@
-// What a results folder holds: records, plans and published figures, and the tables that are made of them.
+// The files of a results folder: records, plans and published figures, and the tables that are made from them.
 #include <filesystem>
 
 #include "isobench/foundation/names.h"
@@ -18,7 +18,7 @@ void check_request(const RunRequest& request) {
   require(request.reference_k >= 1 && request.reference_k <= 8, "the reference can be computed");
 }
 
-/// The record twice, under another seed, and once without its figures: every table has something to say.
+/// Makes the tables of three runs: the record, the same with another seed, and the same as a failed run.
 void check_tables(const RunRecord& record) {
   Results results;
   results.records = {record, record, record};

@@ -33,7 +33,7 @@ Environment environment_from_json(const Json& json) {
   e.cpu = json.at("cpu").get<std::string>();
   e.cores = integer<int>(json.at("cores"));
   read(json.at("load"), e.load);
-  e.exclusive = json.value("exclusive", false);  // records of before there were clusters have neither
+  e.exclusive = json.value("exclusive", false);  // older records have neither
   e.job = json.value("job", "");
   return e;
 }
@@ -72,7 +72,7 @@ DatasetRecord dataset_from_json(const Json& json) {
   return d;
 }
 
-// Whole numbers up to here are doubles without loss.
+// A double holds every whole number up to this one exactly.
 constexpr double largest_count = 9007199254740992.0;  // 2^53
 
 Json figure_to_json(const FigureDeclaration& figure, const std::optional<double>& value) {
@@ -111,8 +111,8 @@ std::optional<double> figure_from_json(const FigureDeclaration& figure, const Js
   return value;
 }
 
-// A record that is older than a metric does not have its figures: they are unknown until `isobench measure` takes
-// them. Figures that no metric of this program declares are passed over.
+// A record that is older than a metric does not have its figures: they are unknown until `isobench measure` measures
+// them. Figures that no metric of this program declares are ignored.
 Measurement measurement_from_json(const Json& figures, const Json& histograms) {
   Measurement measurement;
   for (std::size_t n = 0; n < declared_figures().size(); ++n) {
@@ -130,7 +130,7 @@ Measurement measurement_from_json(const Json& figures, const Json& histograms) {
     if (found == histograms.end()) continue;
     Histogram& histogram = measurement.histogram_at(n);
     histogram.counts = integers<std::uint32_t>(found->at("counts"));
-    // Version 0.1.0 wrote the counts of valences alone.
+    // Version 0.1.0 wrote the counts of valences without the bounds.
     histogram.low = found->value("low", 0.0);
     histogram.high = found->value("high", static_cast<double>(histogram.counts.size()));
   }

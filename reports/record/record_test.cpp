@@ -22,7 +22,7 @@ TEST(Record, ComesBackWhole) {
   record.match = MatchRecord{1010.0, 0.75, 3, "none"};
   const std::string text = to_json(record);
   const RunRecord back = record_from_json(text, "test");
-  EXPECT_EQ(to_json(back), text);  // what one direction forgets, the other cannot give back
+  EXPECT_EQ(to_json(back), text);  // a value that is written but not read would differ
   EXPECT_EQ(back.request.parameters, record.request.parameters);
   EXPECT_EQ(back.request.sizing.epsilon, record.request.sizing.epsilon);
   EXPECT_FALSE(back.request.sizing.vertices.has_value());
@@ -157,7 +157,7 @@ TEST(Plan, ComesBackWhole) {
   ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back[1].dataset, "brain");
   EXPECT_EQ(plan_to_json(back), text);
-  // Written run by run, it is what the library would write of the whole.
+  // The text is the same as if the library had written the whole plan at once.
   for (std::size_t runs = 0; runs <= plan.size(); ++runs) {
     const std::string part = plan_to_json({plan.begin(), plan.begin() + static_cast<std::ptrdiff_t>(runs)});
     EXPECT_EQ(nlohmann::ordered_json::parse(part).dump(1) + "\n", part);
@@ -167,7 +167,7 @@ TEST(Plan, ComesBackWhole) {
 TEST(Plan, HoldsTheParametersOfItsRunsOnce) {
   std::vector<RunRequest> plan(4, sample_record("skull", "particles").request);
   set_parameter(plan[1], "sweeps", 0.0);
-  set_parameter(plan[2], "sweeps", -0.0);  // equal, and another name of the run all the same
+  set_parameter(plan[2], "sweeps", -0.0);  // equal to 0.0, but not the same parameter
   const std::string text = plan_to_json(plan);
   const std::vector<RunRequest> back = plan_from_json(text, "plan.json");
   EXPECT_EQ(&*back[3].parameters, &*back[0].parameters);

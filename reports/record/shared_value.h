@@ -7,13 +7,13 @@
 
 namespace isobench {
 
-/// A value that is never changed in place, so that its copies can share it: a hundred thousand runs have a handful of
-/// sets of parameters. Converts from a value; to change it, assign another one.
+/// A value that is never changed in place, so its copies share one object: a hundred thousand runs have only a few
+/// different sets of parameters. Converts from a value; to change it, assign another one.
 template <class T>
 class SharedValue {
  public:
   SharedValue() : value_(nothing()) {}
-  SharedValue(T value) : value_(std::make_shared<const T>(std::move(value))) {}  // NOLINT: stands where a T would stand
+  SharedValue(T value) : value_(std::make_shared<const T>(std::move(value))) {}  // NOLINT: used in place of a T
 
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
@@ -33,7 +33,7 @@ class SharedValue {
 template <class T>
 class SharedPool {
  public:
-  /// The first value that the pool was given and that equals this one.
+  /// The pool's value that equals this one. If there is none yet, the pool takes this one.
   const SharedValue<T>& first_of(const SharedValue<T>& value) { return *values_.insert(value).first; }
 
  private:

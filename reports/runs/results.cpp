@@ -83,8 +83,8 @@ Results load_results(const fs::path& folder) {
       plan[start + n] = {};  // frees memory; the record holds the same request
     }
   }
-  // Runs that the plan does not name (of an earlier revision, or merged from elsewhere) stay in the folder and out of
-  // the reports.
+  // The folder may have runs that the plan does not name, of an earlier revision or merged from elsewhere. Reports
+  // leave them out.
   if (fs::exists(folder / "published.toml")) results.published = read_published(folder / "published.toml");
   return results;
 }

@@ -12,7 +12,7 @@ namespace isobench {
 
 /// One method as it was run, a row of most tables. Runs with different seeds or repeats belong to the same variant.
 struct Variant {
-  std::string name;  ///< the label; with sizing and reference k where the experiment has one label with several of them
+  std::string name;  ///< the label, with the sizing or reference k if one label has several of them
   std::string method;
   std::map<std::string, Runs> runs;  ///< by dataset
 };
@@ -23,7 +23,7 @@ struct RunGrid {
   std::string timing;  ///< usual_timing(): seconds are compared only between runs with this timing
 };
 
-/// The requested sizing: "ε 0.5, δ 0.3", "2.2 mm", "5000 vertices"; with the floor where it is not the default.
+/// The requested sizing: "ε 0.5, δ 0.3", "2.2 mm", "5000 vertices"; with the floor if it is not the default.
 std::string sizing_name(const SizingRequest& sizing);
 
 /// Arranges all runs except those that are aside (RunRequest::aside). The grid points into `results`.

@@ -21,7 +21,7 @@ bool is_closed_manifold(const RunRecord& run);
 Runs counted_runs(const Runs& runs);
 
 struct Spread {
-  double median = 0.0;  ///< of an even number of values the mean of the two middle ones
+  double median = 0.0;  ///< for an even number of values, the mean of the two middle ones
   double min = 0.0;
   double max = 0.0;
 };
@@ -47,8 +47,8 @@ Print as_number();
 /// for figures over all finished runs, the last one reads " (9 seeds, 2 †)".
 std::string spread_label(const Runs& runs, bool counted_only = true);
 
-/// The number of different meshes that the finished runs of one seed gave, the largest over the seeds: 1 if repeats
-/// agree bit for bit, 0 if no seed was repeated.
+/// The number of different meshes among the finished runs of one seed; of several seeds, the largest number. It is 1 if
+/// repeats agree bit for bit, 0 if no seed was repeated.
 std::size_t different_meshes(const Runs& runs);
 
 }  // namespace isobench

@@ -7,8 +7,8 @@
 
 namespace isobench {
 
-/// How a run was timed, in words: processor, cores, threads, and whether nothing else ran on the machine. Seconds of
-/// runs that differ in this must not be compared.
+/// How a run was timed, in words: processor, cores, threads, and whether nothing else ran on the machine. Runs that
+/// differ in this must not be compared by their seconds.
 std::string timing_of(const RunRecord& record);
 
 /// The most frequent timing_of() of the finished runs; of equally frequent ones the first. "" if no run is finished.

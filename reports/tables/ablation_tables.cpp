@@ -55,7 +55,7 @@ Ablation changes_from(const RunGrid& runs, const Variant& base) {
   return found;
 }
 
-// For each method the variant from which most others differ in one parameter; of several, the first in the plan.
+// For each method, the variant from which the most others differ in one parameter; if several, the first in the plan.
 std::vector<Ablation> ablations(const RunGrid& runs) {
   std::vector<Ablation> all;
   for (const Variant& variant : runs.variants) {
@@ -150,10 +150,10 @@ std::vector<Table> ablation_tables(const RunGrid& runs) {
       }
     }
     table.remarks = {
-        "Square brackets give the difference between the medians of this row and of the row of the same data where "
-        "nothing is changed, if it shows in the printed digits. Q is the radius ratio. h0 is the same for every "
-        "method; own h0 belongs to the sizing field that the run computed for itself. Defects are boundary edges, "
-        "pinches and self-intersections together. Seconds are wall seconds of sizing and method."};
+        "Square brackets: the median of this row minus the median of the row \"nothing\" of the same data, unless it "
+        "rounds to zero. Q is the radius ratio. h0 is the same for every method; own h0 belongs to the sizing field "
+        "that the run computed itself. Defects are boundary edges, pinches and self-intersections together. Seconds "
+        "are wall seconds of sizing and method."};
     table.definitions = {"radius_ratio_avg", "edge_over_h0_exceed_percent", "edge_over_own_h0_exceed_percent", "euler"};
     tables.push_back(std::move(table));
   }

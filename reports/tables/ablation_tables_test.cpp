@@ -52,7 +52,7 @@ TEST(AblationTables, NeedTwoChangesFromOneBase) {
   Results results = one_at_a_time();
   results.records.erase(results.records.begin() + 2);
   EXPECT_TRUE(ablation_tables(arrange_runs(results)).empty());
-  // Two parameters at once are no single choice.
+  // A variant that differs in two parameters does not count.
   RunRecord both = changed("torus", "particles both", "finish", false);
   set_parameter(both.request, "sweeps", 20.0);
   results.records.push_back(both);

@@ -20,7 +20,7 @@ std::map<std::string, std::string> labels_of(const Results& results) {
   return labels;
 }
 
-// Why runs could not be matched; each reason once.
+// The reasons why runs could not be matched, each once.
 std::string reasons(const Runs& runs) {
   std::vector<std::string> all;
   for (const RunRecord* run : runs) {
@@ -37,10 +37,10 @@ std::string reasons(const Runs& runs) {
 Table match_table(const Results& results) {
   Table table;
   table.title = "Matching the number of vertices";
-  table.header = {"Data", "Method", "matched to", "vertices", "of", "off by %", "scale of edges", "tries"};
+  table.header = {"Data", "Method", "matched to", "vertices", "target", "off by %", "edge scale", "tries"};
   table.remarks = {
-      "Matching scales the edge lengths that a method is asked for until its number of vertices is within 2 % of the "
-      "other run's. Edges are compared with h0 as it was before scaling."};
+      "Matching scales the requested edge lengths until both runs have the same number of vertices, within 2 %. Edges "
+      "are compared with h0 before scaling."};
   const std::map<std::string, std::string> labels = labels_of(results);
   const RunGrid runs = arrange_runs(results);
   for (const std::string& dataset : runs.datasets) {

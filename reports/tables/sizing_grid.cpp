@@ -24,7 +24,7 @@ const Runs& cell(const SizingGrid& grid, double epsilon, double delta) {
 
 double median(const Runs& runs, const Figure& figure) {
   std::vector<double> values;
-  for (const RunRecord* run : finished(runs)) values.push_back(figure(*run));
+  for (const RunRecord* run : counted_runs(runs)) values.push_back(figure(*run));
   return spread_of(std::move(values)).median;
 }
 
@@ -77,7 +77,8 @@ std::string trend_text(const SizingGrid& grid) {
   return fmt::format("Of {} steps to the next smaller ε: {}, {}. Of {} steps to the next smaller δ: {}, {}, {}.",
                      of(Along::epsilon, 0).steps, fall("the mean distance", of(Along::epsilon, 3)),
                      rise("the number of triangles", of(Along::epsilon, 0)), of(Along::delta, 0).steps,
-                     rise("the smallest radius ratio", of(Along::delta, 1)), rise("the average", of(Along::delta, 2)),
+                     rise("the smallest radius ratio", of(Along::delta, 1)),
+                     rise("the average radius ratio", of(Along::delta, 2)),
                      rise("the number of triangles", of(Along::delta, 0)));
 }
 
@@ -130,8 +131,8 @@ std::vector<Table> sizing_grid_tables(const Results& results) {
     // Every cell has the same seeds and repeats, but not the same failures.
     const Runs& first = grid.cells.begin()->second;
     Table table = table_of(grid);
-    table.title = fmt::format("ε down, δ across, as in the paper's Figure 2: {}, {}{}", grid.dataset, grid.label,
-                              spread_label(finished(first)));
+    table.title = fmt::format("Grid of ε (rows) and δ (columns), as in the paper's Figure 2: {}, {}{}", grid.dataset,
+                              grid.label, spread_label(finished(first)));
     table.remarks = {trend_text(grid)};
     table.definitions = {"triangles", "radius_ratio_min", "radius_ratio_avg", "distance_mean"};
     tables.push_back(std::move(table));

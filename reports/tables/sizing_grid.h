@@ -1,4 +1,4 @@
-// The paper's Figure 2 as a table: ε down, δ across.
+// The paper's Figure 2 as a table: one row for each ε, one column for each δ.
 #pragma once
 
 #include <map>
@@ -17,15 +17,15 @@ struct SizingGrid {
   std::string label;
   std::vector<double> epsilons;  ///< in the order of the plan
   std::vector<double> deltas;
-  std::map<std::pair<double, double>, Runs> cells;  ///< by ε and δ; of every seed and repeat
+  std::map<std::pair<double, double>, Runs> cells;  ///< by ε and δ; all seeds and repeats
 };
 
-/// Points into `results`. Two one-at-a-time variations that cross in their base are no grid. If there are several
-/// floors or refinements of the reference, only the first counts.
+/// Points into `results`. Runs that vary ε and δ only one at a time, from a common base, are no grid. If a cell has
+/// runs with several floors or refinements of the reference, only those like its first run count.
 std::vector<SizingGrid> sizing_grids(const Results& results);
 
-/// How often the median of a figure rises and falls in steps from one ε to the next smaller one at equal δ, or from one
-/// δ to the next smaller one at equal ε. Steps with an unfinished end do not count.
+/// How often the median of a figure rises and falls from one ε to the next smaller one at equal δ, or from one δ to the
+/// next smaller one at equal ε. A step counts only if both of its cells have finished runs.
 struct Trend {
   int steps = 0;
   int rises = 0;

@@ -52,8 +52,8 @@ TEST(SizingGrid, IsLaidOutAsTheFigure) {
       << text;
   EXPECT_NE(
       text.find("Of 4 steps to the next smaller ε: the mean distance falls in 4, the number of triangles rises in "
-                "4. Of 3 steps to the next smaller δ: the smallest radius ratio rises in 3, the average rises in "
-                "0, the number of triangles rises in 3."),
+                "4. Of 3 steps to the next smaller δ: the smallest radius ratio rises in 3, the average radius ratio "
+                "rises in 0, the number of triangles rises in 3."),
       std::string::npos)
       << text;
   EXPECT_NE(markdown_tables(grid()).find(text), std::string::npos);

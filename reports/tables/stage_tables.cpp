@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "isobench/reports/tables/table_parts.h"
 #include "isobench/reports/tables/tables.h"
@@ -82,9 +83,9 @@ std::vector<Table> stage_tables(const RunGrid& runs) {
     table.title = "Seconds by stage: " + method;
     table.header = {"Data", "Method", "vertices"};
     for (const std::string& name : stages) table.header.push_back(name.substr(whole_method.size() + 1));
-    table.header.insert(table.header.end(), {"in all", "CPU / wall", "µs a vertex"});
+    table.header.insert(table.header.end(), {"total", "CPU / wall", "µs per vertex"});
     table.remarks = {
-        "Wall seconds. Time between stages counts only in the column \"in all\". CPU / wall is the mean number of busy "
+        "Wall seconds. Time between stages counts only in the column \"total\". CPU / wall is the mean number of busy "
         "cores."};
     say_how_timed(runs, table);
     for (const std::string& dataset : runs.datasets) {

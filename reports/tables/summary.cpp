@@ -35,7 +35,7 @@ std::string not_measured(const Measurement& m, const char* figure) {
   return "not measured: " + (declared.unmeasured.empty() ? "the mesh has no such figure" : declared.unmeasured);
 }
 
-/// A value with so many significant digits and its unit.
+/// A value with this many significant digits, and its unit.
 std::string value_text(const Measurement& m, const char* figure, int digits) {
   const std::optional<double> value = m.figure(figure);
   if (!value) return not_measured(m, figure);
@@ -53,7 +53,7 @@ std::string edge_lines(const Measurement& m) {
   std::string text =
       fmt::format("edges / h0    max {:.3f}, {} above 1 ({:.4f} % of edges)\n", m.number("edge_over_h0_max"),
                   m.number("edge_over_h0_exceed_count"), m.number("edge_over_h0_exceed_percent"));
-  // A method without an h0 of its own would have the same line again.
+  // For a method without its own h0, this line would repeat the one above.
   if (m.figure("edge_over_own_h0_max") != m.figure("edge_over_h0_max")) {
     text += fmt::format("edges/own h0  max {:.3f}, {:.4f} % of edges above 1\n", m.number("edge_over_own_h0_max"),
                         m.number("edge_over_own_h0_exceed_percent"));

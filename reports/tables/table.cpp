@@ -36,7 +36,7 @@ std::string markdown(const Table& table) {
   std::string text = heading(table.title) + cells.text();
   for (const std::string& remark : table.remarks) text += "\n" + remark + "\n";
   text += definitions(table.definitions);
-  return table.source.empty() ? text : text + "\n" + table.source + " See the end.\n";
+  return table.source.empty() ? text : text + "\n" + table.source + " See the section on the published figures.\n";
 }
 
 }  // namespace isobench

@@ -40,7 +40,7 @@ using TableRow = std::vector<TableCell>;
 struct Table {
   std::string title;
   std::vector<std::string> header;
-  std::size_t label_columns = 2;  ///< how many of the first columns name the row
+  std::size_t label_columns = 2;  ///< number of columns, from the first one on, that name the row
   std::vector<TableRow> rows;
   std::vector<std::string> remarks;      ///< sentences under the table
   std::vector<std::string> definitions;  ///< names of the figures that are defined under it

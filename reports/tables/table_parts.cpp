@@ -17,7 +17,7 @@ std::string unit_of(const Published& published, const std::string& quantity) {
   return "";
 }
 
-// A reason may be a paragraph with the end of a log; a table cell takes one line of it. run.json has all.
+// A reason may be a paragraph with the end of a log. A table cell has room for one line; run.json has all of it.
 std::string shortened(const std::string& reason) {
   constexpr std::size_t longest = 120;
   if (reason.size() <= longest) return reason;
@@ -119,8 +119,8 @@ std::string source_line(const Results& results, const std::string& table) {
   const bool any = std::any_of(published.figures.begin(), published.figures.end(),
                                [&table](const PublishedFigure& figure) { return figure.table == table; });
   if (!any) return "";
-  return fmt::format("Published: {}, {}, of other data than ours; digits as printed there.", published.short_source,
-                     table);
+  return fmt::format("Published: {}, {}, measured on other data than ours; digits as printed there.",
+                     published.short_source, table);
 }
 
 std::vector<const PublishedMethod*> published_alone(const Results& results, const RunGrid& runs,

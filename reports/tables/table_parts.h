@@ -20,12 +20,12 @@ std::string marks(const Runs& runs);
 /// The words of a cell without figures: "not run", "timeout: not finished after 20 minutes"; empty if the run is ok.
 TableCell instead_of_figures(const RunRecord* record);
 
-/// A cell with one figure of the runs that counted_runs() lets pass. Precondition: one of the runs is finished.
+/// A cell with one figure over counted_runs(). Precondition: one of the runs is finished.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
-/// The same for seconds. Only runs that were timed as most of the runs are (RunGrid::timing) count, because seconds of
-/// others do not compare. The cell is "§" if there are none.
+/// The same for seconds. Only runs with the most frequent timing (RunGrid::timing) count, because seconds of other runs
+/// must not be compared with theirs. The cell is "§" if there are none.
 TableCell over_timed(const RunGrid& arrangement, const Runs& runs, const Figure& figure, const Print& print);
-/// The same over all finished runs, for figures that tell whether counted_runs() lets a run pass.
+/// The same over all finished runs, for the figures by which counted_runs() chooses.
 TableCell over_all(const Runs& runs, const Figure& figure, const Print& print);
 /// Puts timing_remark() under a table that has seconds.
 void say_how_timed(const RunGrid& arrangement, Table& table);
@@ -38,7 +38,7 @@ TableCell with_published(TableCell cell, const Results& results, const std::vect
 TableCell with_unit(TableCell cell, const std::string& unit);
 TableCell with_mark(TableCell cell, const std::string& mark);
 
-/// The definitions of these figures, one a line, for under a table.
+/// The definitions of these figures, one on each line, to put under a table.
 std::string definitions(const std::vector<std::string>& figures);
 /// A sentence that names the source of a table's published figures; "" if it has none.
 std::string source_line(const Results& results, const std::string& table);

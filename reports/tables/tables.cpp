@@ -18,11 +18,11 @@ struct Column {
   std::string title;
   Figure figure;
   Print print;
-  bool timed = false;  ///< seconds, which compare only where they were measured alike
+  bool timed = false;  ///< seconds, which are compared only between runs that were timed alike
 };
 
-// A table with one row a dataset and variant. Several seeds or repeats give the median and the range of the runs that
-// counted_runs() lets pass or, without the gate, of all finished runs.
+// A table with one row for each dataset and variant. Several seeds or repeats give the median and the range over
+// counted_runs() or, if `gate` is false, over all finished runs.
 Table table_of_runs(const RunGrid& runs, const std::string& title, const std::vector<Column>& columns,
                     bool gate = true) {
   Table table;
@@ -90,9 +90,9 @@ Table distance_table(const RunGrid& runs) {
                                {"max mm", figure_of("distance_max"), to_significant(3)},
                                {"mean voxels", figure_of("distance_mean_voxels"), to_significant(3)},
                                {"max voxels", figure_of("distance_max_voxels"), to_significant(3)},
-                               {"vertices max mm", figure_of("distance_vertex_max"), to_significant(3)},
-                               {"from F = c mean mm", figure_of("distance_from_surface_mean"), to_significant(3)},
-                               {"from F = c max mm", figure_of("distance_from_surface_max"), to_significant(3)},
+                               {"vertices: max mm", figure_of("distance_vertex_max"), to_significant(3)},
+                               {"F = c to mesh: mean mm", figure_of("distance_from_surface_mean"), to_significant(3)},
+                               {"F = c to mesh: max mm", figure_of("distance_from_surface_max"), to_significant(3)},
                                counted("not projected", "distance_unprojected")});
   table.definitions = {"distance_mean", "distance_max", "distance_vertex_max", "distance_from_surface_mean",
                        "distance_from_surface_max"};
@@ -107,8 +107,8 @@ Table cost_table(const RunGrid& runs) {
                                {"sizing + method s", figure_of("seconds_total"), to_significant(3), true},
                                {"peak MB", figure_of("peak_memory_mb"), to_significant(3)}});
   table.remarks = {
-      "Wall seconds. Prepare reads and prepares the volume. A method that asks for no sizing field has 0 s for it. "
-      "Metrics and files are not counted. Peak memory is the process's, up to the finished mesh."};
+      "Wall seconds. \"prepare\" is reading and preparing the volume. \"sizing\" is 0 s if the method asks for no "
+      "sizing field. Metrics and files are not counted. Peak memory counts the process up to the finished mesh."};
   say_how_timed(runs, table);
   return table;
 }

@@ -21,10 +21,11 @@ Table edge_length_table(const Results& results, const RunGrid& runs);   ///< Fig
 Table topology_table(const RunGrid& runs);
 Table distance_table(const RunGrid& runs);
 Table cost_table(const RunGrid& runs);
-/// One table for each method with two or more stages: where its time goes, one row a run, one column a stage.
+/// One table for each method with two or more stages: its seconds, one row for each variant and data set, one column
+/// for each stage.
 std::vector<Table> stage_tables(const RunGrid& runs);
 /// One table for each method with two or more variants that differ from a base in a single parameter: how the change
-/// affects quality, edges above h0, topology and seconds. One row a data set and change, after the row of the base.
+/// affects quality, edges above h0, topology and seconds. One row for each data set and change, after the base's row.
 std::vector<Table> ablation_tables(const RunGrid& runs);
 Table seed_table(const RunGrid& runs);      ///< spread over seeds and repeats, and whether repeats agree
 Table match_table(const Results& results);  ///< which run was matched to which, and how closely

@@ -6,14 +6,14 @@
 
 #include "isobench/reports/record/sample_records.h"
 #include "isobench/reports/runs/timing.h"
-#include "isobench/reports/tables/verdict.h"
+#include "isobench/reports/tables/best_methods.h"
 #include "isobench/reports/tables_document.h"
 #include "isobench/reports/text/markdown.h"
 
 namespace isobench {
 namespace {
 
-// The cells of the first row of a Markdown text that starts with these.
+// The cells of the first table row in a Markdown text that starts with these cells.
 std::vector<std::string> find_row(const std::string& text, const std::vector<std::string>& start) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
@@ -52,7 +52,7 @@ Results results_for_tables() {
 
 TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
   Results results = results_for_tables();
-  // The sample has one stage beside the whole; stages within others and those of measuring have no column.
+  // The sample has only one stage besides "mesh". Stages within others and stages of measuring have no column.
   EXPECT_TRUE(stage_tables(arrange_runs(results)).empty());
   results.records[0].stages = {{"prepare", 9.0, 9.0},    {"mesh/sizing", 0.5, 1.0}, {"mesh/seeds/inner", 0.75, 1.0},
                                {"mesh/seeds", 1.0, 1.5}, {"mesh", 2.0, 3.0},        {"measure/shape", 0.5, 0.5}};
@@ -60,11 +60,11 @@ TEST(Tables, StagesOfAMethodStandInTheOrderInWhichTheyEnded) {
   const auto tables = stage_tables(arrange_runs(results));
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].title, "Seconds by stage: particles");
-  EXPECT_EQ(tables[0].header, (std::vector<std::string>{"Data", "Method", "vertices", "sizing", "seeds", "in all",
-                                                        "CPU / wall", "µs a vertex"}));
+  EXPECT_EQ(tables[0].header, (std::vector<std::string>{"Data", "Method", "vertices", "sizing", "seeds", "total",
+                                                        "CPU / wall", "µs per vertex"}));
   const auto row = find_row(tables[0], {"pelvis", "particles"});
   EXPECT_EQ(row, (std::vector<std::string>{"pelvis", "particles", "1000", "0.500", "1.00", "2.00", "1.50", "2000"}));
-  // A run that does not know a stage is no run in which it took no time.
+  // A run without a stage shows a dash, not zero seconds.
   EXPECT_EQ(find_row(tables[0], {"skull", "particles †"})[4], "–");
 }
 
@@ -81,7 +81,8 @@ TEST(Tables, RadiusRatiosAreOursBesideThePublished) {
   const auto front = find_row(table, {"advancing-front (published: af)"});
   EXPECT_EQ(front[1], "published 0.23 / 0.94");
   EXPECT_NE(table.find("2 r_in / r_circ"), std::string::npos);  // its definition in words
-  EXPECT_NE(table.find("Published: Meyer, Kirby, Whitaker 2007, Table 2, of other data than ours"), std::string::npos);
+  EXPECT_NE(table.find("Published: Meyer, Kirby, Whitaker 2007, Table 2, measured on other data than ours"),
+            std::string::npos);
   const std::string all = markdown_tables(results);
   EXPECT_NE(all.find("IEEE Transactions on Visualization and Computer Graphics"), std::string::npos);
   EXPECT_NE(all.find("stand-ins"), std::string::npos);
@@ -149,7 +150,7 @@ TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
     record.environment.cores = 4;
   }
   EXPECT_EQ(timing_remark(arrange_runs(results)), "");
-  // On another machine, and faster for that alone.
+  // On another, faster machine.
   results.records[1].environment.cpu = "fast";
   results.records[1].environment.exclusive = true;
   results.records[1].seconds_total = 0.125;
@@ -158,7 +159,7 @@ TEST(Tables, SecondsAreComparedAmongRunsThatWereTimedAlike) {
   EXPECT_EQ((std::vector<std::string>(row.begin() + 2, row.begin() + 7)),
             (std::vector<std::string>{"§", "§", "§", "§", "321"}));
   EXPECT_EQ(find_row(cost_table(runs), {"pelvis", "particles"})[5], "5.25");
-  EXPECT_EQ(find_row(best_table(runs), {"Time, sizing and method"})[1], "particles: 5.25 s");
+  EXPECT_EQ(find_row(best_table(runs), {"Time for sizing and method"})[1], "particles: 5.25 s");
   EXPECT_EQ(find_row(methods_table(runs), {"marching-cubes"})[8], "§");
   const std::string remark =
       "§ Seconds are compared only between runs on slow, 4 cores, 2 threads. Left out: 1 run on fast, 4 cores, 2 "
@@ -176,7 +177,7 @@ TEST(Tables, WhatIsMissingIsSaid) {
   const std::string text = markdown_tables(results);
   EXPECT_NE(text.find("1 of 5 runs are not done yet: vessel-particles"), std::string::npos);
   EXPECT_NE(text.find("not a readable run record"), std::string::npos);
-  // Of very many not each by its name.
+  // Of very many runs, only the first 20 are named.
   results.missing.resize(1000, results.missing.front());
   EXPECT_NE(markdown_tables(results).find(" vessel-particles and 980 more\n"), std::string::npos);
 }
@@ -219,7 +220,7 @@ TEST(Tables, RepeatsThatDisagreeBreakAPromise) {
   EXPECT_EQ(find_row(seed_table(arrange_runs(results)), {"skull", "particles (3 repeats)"})[7], "2 different meshes");
   EXPECT_NE(markdown_tables(results).find("- particles on skull: 2 different meshes in repeats of one seed"),
             std::string::npos);
-  // Who promises nothing breaks no promise; other seeds are other meshes.
+  // A method that promises nothing breaks no promise, and another seed may give another mesh.
   for (RunRecord& record : results.records) record.deterministic = false;
   EXPECT_EQ(markdown_tables(results).find("**Not deterministic**"), std::string::npos);
   for (RunRecord& record : results.records) record.deterministic = true;
@@ -241,7 +242,7 @@ TEST(Tables, UnfinishedRunsOfAGroupAreCountedAndLeftOut) {
   EXPECT_EQ(find_row(sizes_table(results, arrange_runs(results)), {"skull", some})[5], "3000");
   EXPECT_EQ(find_row(radius_ratio_table(results, arrange_runs(results)), {"particles"})[1],
             "0.300 / 0.945 (3 seeds, 1 timeout, 1 † left out)");
-  // The table that says what is wrong with a mesh leaves none out.
+  // The topology table shows what is wrong with a mesh, so it leaves none out.
   const Table topology = topology_table(arrange_runs(results));
   EXPECT_EQ(find_row(topology, {"skull", "particles (3 seeds, 1 timeout, 1 †)"})[7], "2 (0–4)");
 }

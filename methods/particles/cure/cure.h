@@ -1,4 +1,4 @@
-// The cure: makes the topology of the triangulation that of the surface by adding particles where there are too few.
+// The cure adds particles where there are too few, so that the triangulation gets the topology of the surface.
 // The restricted Delaunay triangulation has the surface's topology once the balls of all its facets are small against
 // the feature size (Boissonnat, Oudot 2005), so adding particles helps in the end.
 #pragma once
@@ -40,10 +40,10 @@ struct CureResult {
 };
 
 /// Adds particles where the triangulation differs from the surface: where the dual edges of defective facets cross
-/// F = c, around points without a facet, and on components of `lattice_mesh` without any. `particles` and `delaunay`
-/// hold the same points before and after.
+/// F = c, around points without a facet, and on components of `lattice_mesh` without a facet. `particles` and
+/// `delaunay` hold the same points before and after.
 ///
-/// First come the relaxations. Each adds particles, makes h smaller there and at defects where no particle has room,
+/// The relaxations come first. Each adds particles, makes h smaller there and at defects where no particle has room,
 /// and relaxes the surroundings (local_relaxation.h); about half of the defects remain after each. If defects remain
 /// after the last relaxation, rounds that only add particles follow. Pinches that still remain are cut by changing the
 /// label of a cell.

@@ -21,8 +21,8 @@ FacetFans::FacetFans(const std::vector<Facet>& facets, std::size_t points)
 }
 
 bool FacetFans::is_closed_fan(std::uint32_t point) const {
-  // Each facet leads from one neighbour of the point to another. In a closed fan, following the facets from the first
-  // neighbour passes each of them once and returns to it.
+  // Each facet leads from one neighbour of the point to another. If the fan is closed, a walk from the first neighbour
+  // uses each facet once and ends at the first neighbour.
   std::vector<std::array<std::uint32_t, 2>> steps;
   for (const std::uint32_t n : facets_at(point)) {
     const Triangle& t = facets_[n].corners;

@@ -16,11 +16,11 @@ class LatticeComponents {
   /// Keeps a reference to the mesh.
   explicit LatticeComponents(const TriangleMesh& mesh);
 
-  /// The component of each point: that of the mesh vertex nearest to it. Components have arbitrary numbers.
+  /// For each point, the component of the mesh vertex nearest to it. The numbers of components are arbitrary.
   std::vector<std::uint32_t> components_of(const std::vector<Eigen::Vector3d>& points) const;
 
-  /// The components to which no counted point belongs; for each of them up to 16 of its vertices, spread over it.
-  /// `of_points` and `counted` have one entry a point; a point counts if its entry is not 0.
+  /// For each component to which no counted point belongs: up to 16 of its vertices, spread over it. `of_points` and
+  /// `counted` have one entry per point; a point counts if its entry in `counted` is not 0.
   std::vector<std::vector<Eigen::Vector3d>> missing(const std::vector<std::uint32_t>& of_points,
                                                     const std::vector<char>& counted) const;
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double shrink_factor = 0.7;
 constexpr double shrunk_radius = 1.2;   // times the spacing at a point
-constexpr double relaxed_radius = 2.0;  // times the spacing; 3 would move two thirds more particles to the same effect
+constexpr double relaxed_radius = 2.0;  // times the spacing; 3 has the same effect but moves two thirds more particles
 constexpr int population_controls = 2;
 constexpr int sweeps_between = 6;  // before, between and after the population controls
 
@@ -36,7 +36,7 @@ Exchange relax_around(const std::vector<Eigen::Vector3d>& points, SizedSurface& 
   const std::size_t first = sized.bounds().size();
   shrink_around(points, sized, least_h);
 
-  // Particles beyond relaxed_radius stay but act on those within. Particles out of reach of all new bounds do not.
+  // Particles beyond relaxed_radius stay but act on those within. Particles that no new bound reaches are left out.
   std::vector<double> distance(particles.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles.size(), 4096), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n)

@@ -22,8 +22,8 @@ struct Exchange {
 
 /// Makes h smaller around the points (shrink_around) and relaxes the particles within twice the spacing of a point,
 /// with population control; all other particles stay. Returns the relaxed particles in exchange for those that were
-/// within twice the spacing. Time is linear in the number of particles, with a small factor; most of it goes to those
-/// that are relaxed. The result does not depend on the number of threads. The traces of `monitor` stay as they are.
+/// within twice the spacing. Time is linear in the number of particles, with a small factor; most of it is spent on the
+/// relaxed ones. The result does not depend on the number of threads. The traces of `monitor` stay as they are.
 Exchange relax_around(const std::vector<Eigen::Vector3d>& points, SizedSurface& sized, const Particles& particles,
                       double least_h, const PopulationLimits& population, Monitor& monitor);
 

@@ -23,7 +23,7 @@ class EditableMesh {
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   EditableMesh() = default;
-  /// One outward unit normal a vertex. Cost: O(n log n).
+  /// One outward unit normal per vertex. Cost: O(n log n).
   EditableMesh(std::vector<Eigen::Vector3d> vertices, std::vector<Eigen::Vector3d> normals,
                std::span<const Triangle> triangles);
 
@@ -34,7 +34,7 @@ class EditableMesh {
   std::size_t half_edge_count() const { return origin_.size(); }
   bool alive(Index v) const { return out_[v] != none; }
   bool fixed(Index v) const { return fixed_[v] != 0; }
-  /// Fixes v. Triangles all of whose corners are fixed stay as they are.
+  /// Fixes v. Its triangles can still change: an edge between fixed vertices can be flipped or split.
   void fix(Index v) { fixed_[v] = 1; }
   bool movable(Index v) const { return alive(v) && !fixed(v); }
   bool triangle_alive(Index t) const { return origin_[3 * t] != none; }
@@ -61,9 +61,9 @@ class EditableMesh {
   bool can_flip(Index e) const;
   bool can_collapse(Index e) const;
 
-  /// Replaces the edge by the other diagonal of its two triangles. Precondition: can_flip.
+  /// Replaces the edge by the other diagonal of its two triangles. Precondition: can_flip().
   void flip(Index e);
-  /// Removes origin(e) by merging it into target(e). Precondition: can_collapse.
+  /// Removes origin(e) by merging it into target(e). Precondition: can_collapse().
   void collapse(Index e);
   /// Inserts a vertex on an edge with two triangles. Returns the vertex.
   Index split_edge(Index e, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);

@@ -29,7 +29,7 @@ constexpr ShapeEnergy average_shape{0};  // Σ 1/Q³
 constexpr int sweeps_per_round = 2;
 constexpr int last_sweeps = 4;
 
-/// Each search is wider than the one before. The last ones are slow, but few spots are left for them.
+/// The searches become wider. The last ones are slow, but few spots are left for them.
 constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 
@@ -69,7 +69,8 @@ void improve_everywhere(const FinishContext& context, EditableMesh& edited, int 
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-/// The intersecting pairs of triangles, without pairs of untouched triangles, which intersected before the finish.
+/// The intersecting pairs of triangles, without pairs in which all corners are untouched: those are taken to have
+/// intersected before the finish.
 std::vector<TrianglePair> new_intersections(const EditableMesh& edited, const std::vector<std::uint8_t>& untouched,
                                             const TriangleMesh& finished) {
   std::vector<TrianglePair> pairs = self_intersections(finished);

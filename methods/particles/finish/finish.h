@@ -13,7 +13,7 @@ namespace isobench::particles {
 /// remaining bad spots: triangles, valences and edges that miss their goal. Vertices at borders and pinches stay where
 /// they are. Spots that no search improves enough are counted as "finish/places left".
 ///
-/// With an adaptive sizing, edges above h0 are bad spots, and no change of connectivity creates one. With a uniform
+/// With an adaptive sizing, edges above h0 are bad spots, and flips and collapses do not add any. With a uniform
 /// sizing, edge lengths are not checked. `mesh` samples F = c as densely as the sizing asks.
 ///
 /// Triangles within 60° of the normals of F at their corners do not fold over, but sheets that are closer than the

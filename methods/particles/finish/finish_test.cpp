@@ -117,7 +117,7 @@ TEST(Finish, DoesNotDependOnThreads) {
 }
 
 // A ball with a spherical cavity that comes close to the outer surface at the north pole. Triangles of the usual size
-// sag into the cavity there. In this mesh the triangles near the pole are smaller, but the finish makes them even.
+// would cut into the cavity there. This mesh has smaller triangles near the pole, but the finish makes all sizes even.
 struct HollowBall {
   static constexpr double outer = 10.0;
   static constexpr double hollow = 8.0;

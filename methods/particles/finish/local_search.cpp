@@ -19,7 +19,7 @@ namespace {
 
 using Index = EditableMesh::Index;
 
-// Added to every shortfall above 0, so that few large ones are better than many small ones.
+// Added to the shortfall of every bad triangle or edge, so that few large ones are better than many small ones.
 constexpr double base_shortfall = 0.2;
 constexpr ShapeEnergy tail_shape{2};
 constexpr int quick_sweeps = 6;
@@ -30,7 +30,7 @@ double triangle_shortfall(const EditableMesh& mesh, const Triangle& t, const Sha
   const double b = (mesh.points[t[2]] - mesh.points[t[0]]).norm();
   const double c = (mesh.points[t[0]] - mesh.points[t[1]]).norm();
   const double q = (b + c - a) * (c + a - b) * (a + b - c) / std::max(a * b * c, 1e-300);
-  if (q > 0.9) return 0.0;  // all angles are then within 41° to 80°
+  if (q > 0.9) return 0.0;  // all angles are then within 39° to 83°
   double low = std::min({a, b, c});
   double high = std::max({a, b, c});
   const double middle = a + b + c - low - high;
@@ -54,7 +54,7 @@ double edge_shortfall(const FinishContext& context, const EditableMesh& mesh, In
   return over > 0.0 ? base_shortfall + 20.0 * over : 0.0;
 }
 
-/// Whether e stands for its edge: true for one half-edge of each edge.
+/// True for one half-edge of each edge.
 bool is_first_of_edge(const EditableMesh& mesh, Index e) {
   return mesh.origin(e) != EditableMesh::none && (mesh.twin(e) == EditableMesh::none || e < mesh.twin(e));
 }
@@ -64,8 +64,8 @@ struct Change {
   Index at = EditableMesh::none;  ///< a half-edge; with `divide` a vertex
 };
 
-/// Whether the valences after a change, given as pairs of vertex and difference, can still become good. A valence of 4
-/// or 8 can be corrected by the next change; one farther off must at least come nearer to 6.
+/// Whether the valences can still become good after the changes, which are pairs of vertex and difference. A valence of
+/// 4 or 8 can be corrected by the next change; a valence farther off must at least come nearer to 6.
 bool keeps_valences_mendable(const EditableMesh& mesh, std::initializer_list<std::pair<Index, int>> changes) {
   return std::all_of(changes.begin(), changes.end(), [&](const auto& change) {
     const int before = static_cast<int>(mesh.valence(change.first));
@@ -144,7 +144,7 @@ void keep_best(std::vector<State>& states, std::size_t count) {
   if (states.size() > count) states.resize(count);
 }
 
-/// Adds to `to` the states that one more change makes of a state, each briefly smoothed, and keeps the best `keep`.
+/// Tries each possible change on a state, smooths the result briefly and adds it to `to`. Keeps the best `keep` states.
 void expand(const FinishContext& context, const State& from, std::span<const Index> core, const ShapeGoal& goal,
             std::vector<State>& to, std::size_t keep) {
   for (const Change& change : possible_changes(from.mesh, core)) {

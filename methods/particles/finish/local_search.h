@@ -20,13 +20,13 @@ struct ShapeGoal {
 };
 
 /// How far a mesh is from the goal: 0 if all triangles, valences (5 to 7) and edges (up to h0) meet it. Valences of
-/// fixed vertices count as well; in a submesh they are those of the whole mesh.
+/// fixed vertices count as well; in a submesh they are the valences in the whole mesh.
 double shortfall(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal);
 
 /// A part of a mesh as a mesh of its own, with a fixed border.
 struct Submesh {
   EditableMesh mesh;
-  std::vector<EditableMesh::Index> vertices;   ///< of each vertex of the submesh: its index in the whole mesh
+  std::vector<EditableMesh::Index> vertices;   ///< for each vertex of the submesh, its index in the whole mesh
   std::vector<EditableMesh::Index> triangles;  ///< indices of the extracted triangles in the whole mesh
   std::vector<EditableMesh::Index> core;       ///< vertices of the submesh around which changes are tried
 };
@@ -34,7 +34,7 @@ struct Submesh {
 /// Extracts all triangles with a corner at most `rings` − 1 edges from one of the centres. The core consists of the
 /// centres and their neighbours.
 Submesh extract_submesh(const EditableMesh& mesh, std::span<const EditableMesh::Index> centres, int rings);
-/// Replaces the extracted triangles by those of the submesh.
+/// Replaces the extracted triangles by the triangles of the submesh.
 void put_back_submesh(EditableMesh& mesh, const Submesh& submesh);
 
 /// The extent of a search.
@@ -44,8 +44,8 @@ struct SearchEffort {
   int beam = 1;   ///< number of states kept after each change
 };
 
-/// Tries flips, collapses and splits around the core, each with smoothing. If the best result has a smaller shortfall
-/// by at least 1 %, the submesh becomes that result, and the function returns true.
+/// Tries flips, collapses and splits around the core, each with smoothing. If the best result reduces the shortfall by
+/// at least 1 %, the submesh becomes that result, and the function returns true.
 bool improve(const FinishContext& context, Submesh& submesh, const ShapeGoal& goal, const SearchEffort& search);
 
 /// Searches at all bad spots whose submeshes do not overlap, in parallel. Returns how many were improved. The result
@@ -53,7 +53,8 @@ bool improve(const FinishContext& context, Submesh& submesh, const ShapeGoal& go
 std::size_t improve_bad_spots(const FinishContext& context, EditableMesh& mesh, const ShapeGoal& goal,
                               const SearchEffort& search);
 
-/// The number of bad spots: triangles, with their edges, and valences that miss the goal.
+/// The number of bad spots: vertices whose valence misses the goal, and triangles that miss it or have an edge above
+/// h0. A spot without a movable vertex does not count.
 std::size_t count_bad_spots(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal);
 
 }  // namespace isobench::particles

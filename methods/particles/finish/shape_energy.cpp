@@ -101,7 +101,7 @@ Eigen::Vector2d newton_step(const EnergyJet& jet) {
   const double half = 0.5 * (h(0, 0) - h(1, 1));
   const double radius = std::hypot(half, h(0, 1));
   const double high = std::max({mean + radius, radius - mean, 1e-300});
-  // A negative eigenvalue still gives the length of the step by its magnitude.
+  // The magnitude of a negative eigenvalue still gives the length of the step.
   const double low = std::max(std::abs(mean - radius), 0.1 * high);
   // The inverse of the matrix with the eigenvectors of H and the eigenvalues high and low.
   if (radius < 1e-12 * high) return -jet.gradient / high;

@@ -14,9 +14,9 @@ namespace isobench::particles {
 /// Cosine of the largest angle allowed between a triangle and the normals of F at its corners, unless the angle was
 /// larger before.
 constexpr double least_cosine = 0.5;
-/// The same for moves under a uniform sizing. There the surface may bend within the length of an edge, and smoothing
-/// would let vertices slide off its tips. An adaptive sizing prevents that by itself, and this bound would be too tight
-/// at its sharpest places.
+/// The same for moves with a uniform sizing. There the surface may bend within the length of an edge, and smoothing
+/// would move vertices away from tips of the surface. An adaptive sizing is fine enough at tips, and this bound would
+/// be too strict at the sharpest ones.
 constexpr double least_cosine_uniform = 0.8;
 
 /// The neighbours of a movable vertex. Returns false, with an unusable ring, if there are more than Ring::most.

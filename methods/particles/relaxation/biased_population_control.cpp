@@ -60,7 +60,7 @@ std::vector<char> choose_deleted(const Particles& particles, const NeighbourList
   return deleted;
 }
 
-/// Where the children of particle i go, whether or not there is room.
+/// The positions of the children of particle i, whether or not there is room for them.
 std::vector<Eigen::Vector3d> children(const Isosurface& surface, const Particles& particles,
                                       const std::vector<std::uint32_t>& neighbours, std::size_t i, const Bias& bias) {
   const Eigen::Vector3d& n = particles.normals[i];

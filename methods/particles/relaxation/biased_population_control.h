@@ -1,5 +1,5 @@
 // Population control as published (Meyer, Kirby, Whitaker 2007, section 3.3): random, with a bias by energy. The
-// constants are those of the same authors' implementations.
+// constants come from the implementations of the same authors.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace isobench::particles {
 /// Each deletion lowers the energies of its neighbours at once, so two that crowd each other are not both deleted.
 ///
 /// A new particle is placed at a distance of about h in the widest angle around its parent. It is dropped if it is
-/// nearer than 0.5 h to another particle: two parents at one gap would otherwise fill it twice. `seed` and `round`
+/// nearer than 0.5 h to another particle. Otherwise two parents beside one gap would fill it twice. `seed` and `round`
 /// determine the random numbers.
 PopulationChange control_population_by_bias(const SizedSurface& sized, Particles& particles, std::uint64_t seed,
                                             std::uint64_t round);

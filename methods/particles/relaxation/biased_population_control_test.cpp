@@ -68,7 +68,7 @@ TEST(PopulationByBias, SplitsALonelyParticleInFour) {
   EXPECT_GT(nearest_pair(all), 0.5 * sphere.field.h(one[0]));
 }
 
-// Of twenty particles within a tenth of h of each other a few stay.
+// Twenty particles are within a tenth of h of one point. At most three of them stay.
 TEST(PopulationByBias, LeavesOneOfACrowd) {
   Sphere sphere;
   std::vector<Eigen::Vector3d> crowd;

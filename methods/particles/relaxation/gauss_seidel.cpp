@@ -15,8 +15,8 @@ constexpr double first_lambda = 0.1;
 constexpr double largest_lambda = 1e15;  // its inverse is the smallest
 constexpr int most_tries = 12;
 constexpr double list_skin = 0.4;  // share by which neighbour lists reach beyond the potential
-// The share of the skin that a particle may move before its list is renewed. It is less than a half because neighbours
-// move as well and the spacing changes on the way.
+// The share of the skin that a particle may move before the lists are renewed. It is less than a half, because
+// neighbours move as well and the spacing changes on the way.
 constexpr double leash = 0.4;
 
 class GaussSeidel {

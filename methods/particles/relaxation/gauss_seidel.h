@@ -9,10 +9,10 @@
 
 namespace isobench::particles {
 
-/// The sweeps of one call end when either is reached.
+/// A call ends when one of the two is reached.
 struct StopCriterion {
   double relative_fall = 1.5e-4;  ///< the total energy falls by less than this share of itself in a sweep
-  int sweeps = 50;                ///< number of sweeps
+  int sweeps = 50;                ///< maximum number of sweeps
 };
 
 struct GaussSeidelResult {
@@ -29,8 +29,8 @@ struct GaussSeidelResult {
 /// E is symmetric, so no sweep raises the total energy. Runs on one thread, because the result depends on the order of
 /// the particles.
 ///
-/// `fixed` is empty or has one entry a particle: a particle with an entry other than 0 acts on others but stays.
-/// Traces once a sweep: "energy", the mean over all particles, and "moves", the share of particles that moved.
+/// `fixed` is empty or has one entry per particle: a particle with an entry other than 0 acts on others but stays.
+/// Traces after each sweep: "energy", the mean over all particles, and "moves", the share of particles that moved.
 GaussSeidelResult relax_by_gauss_seidel(const SizedSurface& sized, Particles& particles, Monitor& monitor,
                                         const StopCriterion& stop = {}, const std::vector<char>& fixed = {});
 

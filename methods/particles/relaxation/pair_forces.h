@@ -8,7 +8,7 @@
 
 namespace isobench::particles {
 
-/// What the neighbours of a particle do to it: gradient and stiffness of Σ h² E(d), with h the smaller spacing of a
+/// Sums over the neighbours of a particle: the gradient and stiffness of Σ h² E(d), where h is the smaller spacing of a
 /// pair, and the energy Σ E(d). The weight h² makes the force along a line of equally packed particles constant.
 /// Without it, fine regions push particles into coarse ones, and the packing drifts away from the sizing with every
 /// sweep.

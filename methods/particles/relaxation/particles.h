@@ -10,7 +10,7 @@
 
 namespace isobench::particles {
 
-/// Removes the items whose mark is not 0; the others keep their order. One mark an item.
+/// Removes the items whose mark is not 0; the others keep their order. There is one mark per item.
 template <class Item>
 void erase_marked(std::vector<Item>& items, const std::vector<char>& marks) {
   std::size_t kept = 0;
@@ -20,7 +20,7 @@ void erase_marked(std::vector<Item>& items, const std::vector<char>& marks) {
   items.resize(kept);
 }
 
-/// One entry a particle (lattice frame, mm).
+/// One entry per particle (lattice frame, mm).
 struct Particles {
   std::vector<Eigen::Vector3d> points;   ///< on F = c
   std::vector<Eigen::Vector3d> normals;  ///< outward, unit

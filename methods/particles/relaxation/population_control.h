@@ -22,10 +22,10 @@ struct PopulationChange {
 };
 
 /// Splits and deletes particles according to the limits. A split adds a particle at distance h in the widest angular
-/// gap around its parent and projects it; it is not added if it would be nearer than 0.5 h to another particle. Of
-/// neighbouring crowded particles only one is deleted in a call, so that no hole opens.
+/// gap around its parent and projects it. The particle is not added if it would be nearer than 0.5 h to its parent or
+/// to a neighbour of its parent. A call does not delete two neighbours, so that no hole opens.
 ///
-/// `fixed` is null or has one entry a particle, before and after the call: a particle with an entry other than 0
+/// `fixed` is null or has one entry per particle, before and after the call: a particle with an entry other than 0
 /// neither splits nor is deleted. The result does not depend on the number of threads.
 PopulationChange control_population(const SizedSurface& sized, Particles& particles, const PopulationLimits& limits,
                                     std::vector<char>* fixed = nullptr);

@@ -1,5 +1,6 @@
 // Seeds near critical points of F (methods/sizing/critical_points/critical_points.h), where features are smaller than
-// the sizing's floor or than a voxel. The topology of F = c hangs on these features, so particles must stand closer.
+// the sizing's floor or than a voxel. The topology of F = c depends on these features, so particles must be dense
+// there.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +20,7 @@ std::vector<SizeBound> critical_bounds(const std::vector<CriticalPoint>& points,
 
 /// Adds seeds on F = c around the points until no candidate has room. A new seed keeps 0.75 times the spacing from all
 /// other seeds; a seed on a sheet that faces the other way does not count. Precondition: the first bounds of `sized`
-/// are those of the points (critical_bounds). `seed` determines the random candidates. The result does not depend on
+/// belong to the points (critical_bounds). `seed` determines the random candidates. The result does not depend on
 /// the number of threads.
 void add_critical_seeds(const std::vector<CriticalPoint>& points, const SizedSurface& sized, std::uint64_t seed,
                         std::vector<Eigen::Vector3d>& seeds);

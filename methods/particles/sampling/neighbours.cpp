@@ -24,7 +24,7 @@ std::uint64_t mix(std::uint64_t h) {
 }
 
 /// Particles sorted by grid and cell, and a hash table from a cell to its particles. Level n is the grid whose cells
-/// are 2ⁿ times as wide as those of the finest.
+/// are 2ⁿ times as wide as the cells of the finest grid.
 class Grids {
  public:
   struct Occupied {
@@ -122,8 +122,9 @@ class Grids {
     }
   }
 
-  /// A particle reaches no farther than the cells of its grid are wide. So each fine cell looks for the few coarse
-  /// cells near it; the other way round, a coarse cell would look up many fine cells, nearly all of them empty.
+  /// The reach of a particle is at most the width of the cells of its grid. So only few coarse cells are looked up for
+  /// each fine cell. The other way round, many fine cells would be looked up for each coarse cell, nearly all of them
+  /// empty.
   void find_finer_cells() {
     struct Pair {
       std::uint32_t coarse;

@@ -17,10 +17,10 @@ struct NeighbourLists {
   std::span<const std::uint32_t> of(std::size_t i) const { return {items.data() + first[i], count[i]}; }
 };
 
-/// All pairs with |x_i − x_j| < min(reach_i, reach_j); each pair is in both lists. `reach` > 0 has one entry a point,
-/// mm. Uses grids whose cell size doubles from one to the next; a particle is in the grid whose cells are as wide as
-/// its reach. Time is linear in the number of points and pairs. Multi-threaded; the order within a list does not depend
-/// on the number of threads.
+/// All pairs with |x_i − x_j| < min(reach_i, reach_j); each pair is in both lists. `reach` > 0 has one entry per
+/// point, mm. Uses grids whose cell size doubles from one to the next; a particle is in the grid whose cells are one to
+/// two times as wide as its reach. Time is linear in the number of points and pairs. Multi-threaded; the order within a
+/// list does not depend on the number of threads.
 NeighbourLists find_neighbours(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& reach);
 
 }  // namespace isobench::particles

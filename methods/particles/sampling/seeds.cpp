@@ -16,7 +16,7 @@ namespace isobench::particles {
 
 namespace {
 
-/// Running sums over the triangles of the number of particles that a hexagonal packing has on each.
+/// Running sums over the triangles: how many particles a hexagonal packing has on a triangle and all before it.
 std::vector<double> cumulative_count(const SizedSurface& sized, const TriangleMesh& mesh) {
   std::vector<double> sums(mesh.triangles.size() + 1, 0.0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), 1024), [&](const auto& range) {

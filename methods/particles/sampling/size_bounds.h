@@ -16,14 +16,14 @@ struct SizeBound {
   Eigen::Vector3d position;
   double h = 0.0;        ///< the bound at the position
   double plateau = 0.0;  ///< radius within which the bound stays the same
-  double scale = 0.0;    ///< beyond the plateau, the bound rises by δ a mm for this length, then faster
+  double scale = 0.0;    ///< beyond the plateau, the bound rises by δ per mm for this length, then faster
 };
 
-/// All bounds on one surface; the smallest bound at a point holds. A bound ends four times its scale beyond its
-/// plateau.
+/// All bounds on one surface; the smallest bound at a point holds. A bound ends at a distance of four times its scale
+/// from its plateau.
 class SizeBounds {
  public:
-  /// `delta` is δ, the rise of a bound beyond its plateau in mm a mm.
+  /// `delta` is δ, the rise of a bound beyond its plateau in mm per mm.
   SizeBounds(const Isosurface& surface, double delta);
 
   /// Time and memory are linear in the number of bounds. The first bound of a new order of magnitude also takes 4 bytes

@@ -60,7 +60,7 @@ TEST_F(SizeBoundsTest, AroundAFlatPlaceTheBoundStaysAndThenRises) {
   EXPECT_EQ(bounds.bound(middle + Vector3d(5.3, 0.0, 0.0)), infinite);
 }
 
-// Places of very different reach are kept apart, and the smallest bound of all holds, wherever the bounds stand.
+// Bounds of very different reach are in different grids; still the smallest of all bounds holds.
 TEST_F(SizeBoundsTest, TheSmallestBoundHolds) {
   std::vector<SizeBound> all;
   for (int n = 0; n < 60; ++n) {

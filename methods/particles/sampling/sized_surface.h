@@ -17,7 +17,7 @@ namespace isobench::particles {
 /// spaced by h/g, where g is the contraction: with g > 1, even edges longer than the average stay below h0.
 class SizedSurface {
  public:
-  /// Keeps references to the surface and the field. `delta` > 0 is how fast h rises away from an added bound, mm a mm.
+  /// Keeps references to the surface and the field. `delta` > 0 is the rise of an added bound, mm per mm.
   SizedSurface(const Isosurface& surface, const SizingField& field, double contraction = 1.0, double delta = 0.3)
       : surface_(surface), field_(field), contraction_(contraction), bounds_(surface, delta) {}
 
@@ -28,7 +28,7 @@ class SizedSurface {
   /// The distance that particles near x keep: h/g.
   double spacing(const Eigen::Vector3d& x) const { return std::min(field_.h(x), bounds_.bound(x)) / contraction_; }
 
-  /// Makes h smaller around some points from now on.
+  /// Adds bounds, which make h smaller around some points.
   void add_bounds(const std::vector<SizeBound>& bounds) { bounds_.add(bounds); }
 
  private:

@@ -1,6 +1,6 @@
-// Critical points of F, where ∇F = 0, close to F = c. Only at them does a small change of c create or remove a handle,
-// a bridge or a component (Morse theory). The features there are about as small as the point's distance to the surface,
-// which may be far less than the lattice of nodes can resolve.
+// Critical points of F, where ∇F = 0, close to F = c. A small change of c can create or remove a handle, a bridge or a
+// component only at such points (Morse theory). The features there are about as small as the point's distance to the
+// surface, which may be far less than the lattice can resolve.
 #pragma once
 
 #include <Eigen/Core>

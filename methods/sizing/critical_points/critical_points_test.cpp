@@ -40,8 +40,7 @@ TEST(CriticalPoints, OfCosinesAreFoundWithTheirKinds) {
   std::size_t inner = 0;
   for (const CriticalPoint& point : found) {
     const Eigen::Vector3d& x = point.position;
-    if ((x.array() < 2.0).any() || (x.array() > 30.0).any())
-      continue;  // the closing of the volume changes the spline here
+    if ((x.array() < 2.0).any() || (x.array() > 30.0).any()) continue;  // the spline differs from f near the border
     ++inner;
     const Eigen::Vector3d rounded = 8.0 * (x / 8.0).array().round().matrix();
     EXPECT_LT((x - rounded).norm(), 0.01) << x.transpose();
@@ -50,8 +49,8 @@ TEST(CriticalPoints, OfCosinesAreFoundWithTheirKinds) {
     EXPECT_EQ(point.falling, 2);
     EXPECT_NEAR(point.distance, distance, 0.01 * distance);
   }
-  // Of the 27 inner combinations of 8, 16 and 24 (the cosine is −1 at 8 and 24, and 1 at 16), those with exactly one
-  // −1.
+  // The 27 inner points have coordinates of 8, 16 or 24, where the cosine is −1, 1 and −1. At six of them, exactly one
+  // cosine is −1.
   EXPECT_EQ(inner, 6U);
 }
 

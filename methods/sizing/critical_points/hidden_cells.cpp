@@ -44,8 +44,8 @@ class Search {
         size_(surface.lattice().size),
         width_(static_cast<std::size_t>(size_[0]) + 3),
         height_(static_cast<std::size_t>(size_[1]) + 3),
-        // If the coefficients are within [m, M], so is a B-spline. The negative weights of Catmull-Rom sum to (1.25³ −
-        // 1)/2.
+        // If the coefficients are within [m, M], so is a B-spline. The negative weights of Catmull-Rom sum to at most
+        // (1.25³ − 1)/2 in magnitude.
         beyond_(surface.kernel() == Kernel::catmull_rom ? 0.4766F : 0.0F) {}
 
   std::vector<std::array<int, 3>> in_layer(int k, Workspace& work) const {

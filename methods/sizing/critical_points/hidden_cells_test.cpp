@@ -82,8 +82,8 @@ TEST(HiddenCells, AreAllThatSamplingFinds) {
 }
 
 TEST(HiddenCells, HaveThePeakOfASpeckThatNoNodeShows) {
-  // Above −1, the bump has the height (1/6 + 4/6)³ at the nodes and (23/24)³ in the middle, each times its coefficient.
-  // The speck is between these two.
+  // The bump rises above −1 by `step` · (1/6 + 4/6)³ at the nodes and by `step` · (23/24)³ in the middle of the cell. f
+  // is negative at the nodes and positive in the middle.
   const double step = 1.45;
   ASSERT_LT(step * std::pow(5.0 / 6.0, 3) - 1.0, 0.0);
   const Isosurface surface = with_bump(static_cast<float>(step - 1.0));

@@ -20,7 +20,7 @@ enum class AxisPlace {
 struct AxisDifference {
   std::vector<double> by_feet;   ///< min(λ, 1/|κ|) of each sample, mm, with λ to the nearest foot point
   std::vector<double> by_balls;  ///< the same with λ to the nearest centre of a ball
-  std::vector<AxisPlace> place;  ///< of each sample
+  std::vector<AxisPlace> place;  ///< for each sample
   double median = 0.0;           ///< median of |by_feet / by_balls − 1|
   double p95 = 0.0;              ///< 95th percentile of |by_feet − by_balls|, voxels
   /// Percentage of each place among all samples, and among the samples that differ by more than a voxel (0 if there
@@ -30,8 +30,8 @@ struct AxisDifference {
   double differing = 0.0;  ///< percentage of samples that differ by more than a voxel
 };
 
-/// `cap` (mm) is the upper bound on λ. Precondition: there are samples. Cost: three nearest-neighbour queries a sample
-/// on one thread.
+/// `cap` (mm) is the upper bound on λ. Precondition: there are samples. Cost: three nearest-neighbour queries per
+/// sample on one thread.
 AxisDifference axis_difference(const SurfaceSamples& samples, const MedialBalls& feet, const MedialBalls& balls,
                                double voxel, double cap);
 

@@ -7,11 +7,11 @@
 
 namespace isobench {
 
-/// The centres of the osculating balls that contain no other sample, with radii up to `cap` (mm). The radius is that of
-/// the largest principal curvature on the ball's side of the surface.
+/// The centres of the osculating balls that contain no other sample, with radii up to `cap` (mm). The radius
+/// belongs to the largest principal curvature on the ball's side of the surface.
 ///
-/// Foot points are found by a threshold on an angle. Towards an end this angle closes, so foot points stop short of the
-/// end by about the radius of the ridge: many voxels along wide bones.
+/// Foot points are found by a threshold on an angle. Towards an end this angle goes to 0, so foot points stop short of
+/// the end by about the radius of the ridge: many voxels along wide bones.
 ///
 /// Curvatures come from F. A ball is empty if it contains no sample deeper than 1e-6 of its radius. Multi-threaded; the
 /// points are in the order of the samples for any number of threads. Cost: up to two nearest-neighbour queries a

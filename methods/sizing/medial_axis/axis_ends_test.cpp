@@ -32,7 +32,7 @@ TEST(AxisEnds, OfASphereAreItsCentre) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : ends.samples.points) middle += x / static_cast<double>(ends.samples.points.size());
   for (const Eigen::Vector3d& centre : ends.found.centres) {
-    // The curvature of the spline differs by half a percent from that of the sphere of 20 mm.
+    // The curvature of the spline differs by half a percent from the curvature of the sphere of 20 mm.
     ASSERT_LT((centre - middle).norm(), 0.01 * 20.0);
   }
 }

@@ -97,8 +97,8 @@ class AxisSearch {
     return far;
   }
 
-  /// A foot is within about a voxel of its nearest sample. So far from the surface, the samples alone show for most
-  /// nodes that both feet are on one sheet.
+  /// A foot is within about a voxel of its nearest sample. Therefore, for most nodes far from the surface, the samples
+  /// alone show that both feet are on one sheet.
   bool surely_one_sheet(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     const double shorter = std::min(a.norm(), b.norm());
     const double doubt = 2.0 * surface_.lattice().spacing.maxCoeff();

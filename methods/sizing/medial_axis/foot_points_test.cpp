@@ -129,7 +129,7 @@ TEST(FootPoints, AreTheSameForAnyNumberOfThreads) {
 }
 
 // In a tube little more than a voxel thick, the lattice misses long parts of the axis, and λ is too large there. After
-// one halving, the remaining error is mostly that of the spline, which moves the surface of so thin a tube.
+// one halving, the remaining error comes mostly from the spline, which moves the surface of such a thin tube.
 TEST(FootPoints, FromHalvedNodesAreNearerToTheTruth) {
   const auto error = [](int halvings) {
     const Axis axis("torus", 18, halvings);
@@ -190,9 +190,9 @@ TEST_P(FootPointsOnVolumes, GiveTheSizesOfShrinkingBalls) {
   EXPECT_LE(with_ends.p95, 0.25);
 }
 
-// The tolerances as published are one voxel, and 1.2 on the pelvis: the axis of its wide bones ends in ridges with
-// radii of 4 to 12 voxels, where the angle falls to 5 to 20°, below the published threshold. With the ends, a quarter
-// of a voxel.
+// The tolerance for the axis as published is one voxel, and 1.2 voxels on the pelvis: the axis of its wide bones ends
+// in ridges with radii of 4 to 12 voxels, where the angle falls to 5 to 20°, below the published threshold. With the
+// ends, the tolerance is a quarter of a voxel.
 INSTANTIATE_TEST_SUITE_P(RealData, FootPointsOnVolumes,
                          testing::Values(Agreement{"brain", 1.0}, Agreement{"pelvis", 1.2}, Agreement{"skull", 1.0},
                                          Agreement{"vessel", 1.0}),

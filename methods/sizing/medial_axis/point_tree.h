@@ -42,8 +42,8 @@ class PointTree {
   };
   using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>, Adaptor, 3>;
 
-  /// What nanoflann tells of the points that it meets: keeps the nearest one with a squared distance below `square`.
-  /// The library's own result sets take such a bound in some of its versions only.
+  /// A result set for nanoflann: keeps the nearest point with a squared distance below `square`. nanoflann's own result
+  /// sets take such a bound in some versions only.
   struct Nearest {
     using DistanceType = double;
     std::size_t index;
@@ -60,7 +60,7 @@ class PointTree {
     }
   };
 
-  /// The nearest of those whose squared distance is below `square`; `found` if there is none.
+  /// The nearest point with a squared distance below `square`; `found` if there is none.
   std::pair<std::size_t, double> nearest(const Eigen::Vector3d& x, std::size_t found, double square) const {
     Nearest result{found, square};
     index_.findNeighbors(result, x.data(), {});

@@ -46,7 +46,7 @@ class Thinning {
   }
 
   bool accept(const Eigen::Vector3d& x) {
-    // The cells are wide, so that most points need to look into one or two cells only.
+    // The cells are wide, so that for most points one or two cells are searched.
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(distance_);
     const Key low = key_of(x - reach, cell_);
     const Key high = key_of(x + reach, cell_);
@@ -105,8 +105,8 @@ class BallSearch {
   double shrink(std::size_t sample, const Eigen::Vector3d& direction, double radius) const {
     const Eigen::Vector3d& p = samples_.points[sample];
     constexpr int max_steps = 50;
-    std::size_t touched =
-        sample;  // an upper bound for the search: the sample that the ball touched last is at least as near as `radius`
+    // The search starts at the sample that the ball touched last; its distance from the centre is at most `radius`.
+    std::size_t touched = sample;
     for (int step = 0; step < max_steps; ++step) {
       const auto [nearest, distance] = tree_.nearest(p + radius * direction, touched);
       if (distance >= radius * (1.0 - 1e-6)) return radius;
@@ -162,8 +162,8 @@ MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double 
   const std::size_t count = samples.points.size();
   const PointTree tree(samples.points);
   const BallSearch search(samples, tree);
-  constexpr double guess =
-      1.2;  // times the radius of the previous sample; usually large enough, and needs little shrinking
+  // Times the radius of the previous sample; usually large enough, and needs little shrinking.
+  constexpr double guess = 1.2;
   const auto osculating = [cap](double bend) { return bend > 1.0 / cap ? 1.0 / bend : cap; };
   MedialBalls balls;
   balls.centres.resize(2 * count);

@@ -28,10 +28,10 @@ struct MedialBalls {
   std::vector<double> radii;             ///< mm
 };
 
-/// One ball for each sample and side. A ball starts at a few voxels or the osculating radius of its side, if that is
-/// smaller. It doubles while it is empty and then shrinks until it is empty. It starts small because nearest-neighbour
-/// queries far from the surface are slow. `cap` (mm) bounds the radius. Balls that reach the cap are kept, so no
-/// feature size exceeds it. The result does not depend on the number of threads.
+/// One ball for each sample and side. A ball starts at a guess from the previous sample or at the osculating radius of
+/// its side, if that is smaller. It doubles while it is empty and then shrinks until it is empty. The guess is small
+/// because nearest-neighbour queries far from the surface are slow. `cap` (mm) bounds the radius. Balls that reach the
+/// cap are kept, so no feature size exceeds it. The result does not depend on the number of threads.
 MedialBalls shrinking_balls(const SurfaceSamples& samples, double voxel, double cap, Monitor& monitor);
 
 /// λ: the distance to the nearest point of the medial axis. Many threads may call it at the same time.

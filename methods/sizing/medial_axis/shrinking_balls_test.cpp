@@ -85,7 +85,7 @@ TEST(FeatureSizeOfPhantoms, EveryPhantomWithAClosedFormIsTested) {
                                              "rounded-box", "thin-sheets", "near-spheres"}));
 }
 
-// Near the tips of the last branches, the nearest axis is that of the branch itself, so λ is its radius.
+// Near the tips of the last branches, the nearest part of the axis is in the branch itself, so λ is its radius.
 TEST(FeatureSizeOfPhantoms, OfTheVesselTreeIsTheRadiusOfItsTips) {
   const Phantom& shape = phantom("vessel-tree");
   const Estimate estimate(shape, 128);
@@ -108,7 +108,8 @@ TEST(FeatureSizeOfPhantoms, OfTheVesselTreeIsTheRadiusOfItsTips) {
   const Errors found = quantiles(errors);
   EXPECT_LE(found.median, 0.02) << "of " << errors.size() << " samples";
   EXPECT_LE(found.p95, 0.05) << "of " << errors.size() << " samples";
-  // At 95 % of the length, the taper leaves 0.03 mm, and the spline shrinks the radius by about as much, voxel²/(6r).
+  // At 95 % of the length, the taper still adds 0.03 mm to the smallest radius, and the spline reduces the radius by
+  // about as much, voxel²/(6r).
   EXPECT_NEAR(smallest, *shape.smallest_radius, 0.05);
 }
 

@@ -1,4 +1,4 @@
-// Meshes in 3D: links to their files, and small copies for the page's script (turning.js).
+// Meshes in 3D: links to their files, and small copies for the page's script (view_3d.js).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ std::string turnable_html(const Exhibits& exhibits, const std::filesystem::path&
   }
   text += "</tbody></table></div>\n";
   for (std::size_t n = 0; n < exhibits.turnable.size(); ++n) {
-    // The browser neither runs nor shows this text; turning.js reads it.
+    // The browser neither runs nor shows this text; view_3d.js reads it.
     text += fmt::format("<script type=\"text/plain\" id=\"mesh-{}\">{}</script>\n", n,
                         base64(read_text(folder / exhibits.turnable[n].file)));
   }

@@ -1,4 +1,4 @@
-#include "isobench/reports/tables/verdict.h"
+#include "isobench/reports/tables/best_methods.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace isobench {
 
 namespace {
 
-// Seconds count only from runs that were timed alike.
+// For seconds, only runs that were timed alike count.
 double median_of(const RunGrid& arrangement, const Runs& runs, const Question& question) {
   std::vector<double> values;
   for (const RunRecord* run :
@@ -37,7 +37,7 @@ bool right_topology(const RunRecord& run) {
          m.number("components") == m.number("components_reference");
 }
 
-// Which value is better, and the unit, are declared with the figure.
+// The declaration of the figure says which value is better, and the unit.
 Question ask(const std::string& name, const std::string& figure, int digits = 3, bool timed = false) {
   const FigureDeclaration& declared = figure_declaration(figure);
   return {name, figure, declared.better == Better::larger, declared.unit, digits, timed};
@@ -53,14 +53,14 @@ TableCell figure_cell(double value, const Print& print) {
 
 const std::vector<Question>& questions() {
   static const std::vector<Question> all = {
-      ask("Worst triangle: radius ratio", "radius_ratio_min"),
-      ask("Triangles on average: radius ratio", "radius_ratio_avg"),
+      ask("Worst triangle (radius ratio)", "radius_ratio_min"),
+      ask("Average triangle (radius ratio)", "radius_ratio_avg"),
       ask("Smallest angle", "angle_min"),
       ask("Largest angle", "angle_max"),
       ask("Vertices of valence 6", "valence_6_percent"),
       ask("Edges longer than h0", "edge_over_h0_exceed_percent", 2),
       ask("Mean distance to the surface", "distance_mean"),
-      ask("Time, sizing and method", "seconds_total", 3, true),
+      ask("Time for sizing and method", "seconds_total", 3, true),
       ask("Peak memory", "peak_memory_mb"),
   };
   return all;
@@ -92,8 +92,8 @@ Best best(const Question& question, const RunGrid& runs, const std::string& data
 
 Table best_table(const RunGrid& runs) {
   Table table;
-  table.title = "The best method for each question and data set";
-  table.header = {"Asked"};
+  table.title = "The best method for each criterion and data set";
+  table.header = {"Criterion"};
   table.header.insert(table.header.end(), runs.datasets.begin(), runs.datasets.end());
   table.label_columns = 1;
   for (const Question& question : questions()) {
@@ -116,12 +116,12 @@ Table methods_table(const RunGrid& runs) {
   table.header = {"Method",
                   "Finished",
                   "Closed manifold",
-                  "The surface's own χ and components",
-                  "Smallest radius ratio anywhere",
+                  "Correct χ and components",
+                  "Smallest radius ratio",
                   "Average radius ratio",
                   "Valence 6, %",
-                  "Vertices in all",
-                  "Seconds in all",
+                  "Total vertices",
+                  "Total seconds",
                   "Seconds per 100,000 vertices"};
   table.label_columns = 1;
   for (const Variant& variant : runs.variants) {
@@ -156,15 +156,15 @@ Table methods_table(const RunGrid& runs) {
     row.push_back(figure_cell(average, to_significant(3)));
     row.push_back(figure_cell(six, to_significant(3)));
     row.push_back(figure_cell(vertices, as_number()));
-    // Without some of its runs the sum would be too small.
+    // A sum without some of the runs would be too small.
     const bool alike = runs_with_timing(done, runs.timing).size() == done.size();
     row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
     row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
     table.rows.push_back(std::move(row));
   }
   table.remarks = {
-      "Averages are over the finished runs; each run counts the same. The surface's own χ and components are counted "
-      "without any mesh, on a refined lattice: see the topology table."};
+      "Averages are over the finished runs, with equal weights. A mesh has the correct χ and components if it is a "
+      "closed manifold and both numbers are those of the surface F = c: see the reference in the topology table."};
   say_how_timed(runs, table);
   return table;
 }
@@ -186,7 +186,7 @@ std::vector<std::string> best_sentences(const RunGrid& runs) {
     for (const Variant& variant : runs.variants) {
       const auto won = wins.find(variant.name);
       if (won == wins.end()) continue;
-      const bool everywhere = won->second == asked && wins.size() == 1;
+      const bool everywhere = asked > 1 && won->second == asked && wins.size() == 1;
       const std::string where = everywhere ? "all" : fmt::format("{}", won->second);
       text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, where);
     }

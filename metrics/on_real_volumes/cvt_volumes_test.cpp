@@ -1,4 +1,4 @@
-// What `cvt` must reach on a real volume: a bone of one or two voxels, whose two shells the lattice joins.
+// What `cvt` must reach on a real volume: a bone one or two voxels thick, whose two shells the lattice joins.
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ TEST(CvtOnVolumes, MeshesBothShellsOfTheSmallSkull) {
   }
   Monitor monitor;
   const Dataset dataset = load_dataset("skull-small", monitor);
-  // Fewer vertices than the second ask for edges longer than the bone is thick: there sites are added.
+  // With 10,000 vertices the edges are longer than the bone is thick; there the cure adds sites.
   struct Wanted {
     double vertices;
     double least;
     double average;
-    double off;  ///< of the number of vertices, relative
+    double off;  ///< relative tolerance of the number of vertices
   };
   for (const Wanted& wanted : {Wanted{50000.0, 0.55, 0.975, 0.0}, Wanted{10000.0, 0.5, 0.975, 0.05}}) {
     SCOPED_TRACE(wanted.vertices);

@@ -1,4 +1,4 @@
-#include "isobench/experiments/runner/child.h"
+#include "isobench/experiments/runner/cell_process.h"
 
 #include <cstdlib>
 
@@ -17,10 +17,10 @@ ChildOptions options_for(std::vector<std::string> words, const std::filesystem::
 
 }  // namespace
 
-Child::Child(std::vector<std::string> words, const std::filesystem::path& log)
+CellProcess::CellProcess(std::vector<std::string> words, const std::filesystem::path& log)
     : process_(options_for(std::move(words), log)) {}
 
-const ChildProgress& Child::progress() {
+const CellProgress& CellProcess::progress() {
   unread_ += process_.take_from_pipe();
   // The last complete line tells where the child is now; earlier ones are out of date.
   const std::size_t end = unread_.rfind('\n');

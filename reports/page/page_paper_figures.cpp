@@ -69,7 +69,7 @@ Panels plots_of(Exhibits& exhibits, const std::vector<std::string>& kinds, const
   return panels;
 }
 
-// Our methods for the first one of the publication, which is the one that it proposes.
+// Our methods for the publication's first method, which is the one that it proposes.
 std::vector<std::string> proposed_methods(const Results& results) {
   if (results.published->methods.empty()) return {};
   const PublishedMethod& first = results.published->methods.front();

@@ -1,4 +1,4 @@
-// Tables 1 to 3 and Figure 4 of Meyer, Kirby, Whitaker 2007, with ours beside the published figures.
+// Tables 1 to 3 and Figure 4 of Meyer, Kirby, Whitaker 2007, with the published figures beside ours.
 #include <fmt/format.h>
 
 #include <array>
@@ -24,7 +24,7 @@ std::string sizing_cell(const RunRecord& record) {
   return fmt::format("{}, {}", sizing.epsilon.value_or(0.0), sizing.delta.value_or(0.0));
 }
 
-// ε and δ stand in one cell, so their published values do, too.
+// ε and δ share one cell, so their published values do, too.
 TableCell with_published_sizing(TableCell cell, const Results& results, const Variant& variant,
                                 const std::string& dataset) {
   cell = with_published(std::move(cell), results, {"epsilon", "delta"}, dataset, variant.method);
@@ -76,7 +76,7 @@ const std::array<ValenceClass, 5>& valence_classes() {
   return classes;
 }
 
-// The paper prints means over its four data sets only for valence 6 and for all outside 5 to 7.
+// The paper prints means over its four data sets only for valence 6 and for all valences outside 5 to 7.
 void add_published_average(const Results& results, const std::string& method, const std::string& name, Table& table) {
   if (!results.published) return;
   const PublishedFigure* six = results.published->find("valence_6_percent", "average", method);
@@ -106,7 +106,7 @@ TableRow valence_row(const std::string& dataset, const Variant& variant) {
   return row;
 }
 
-// The average of closed manifolds alone or, where no mesh is one, of all; that one is marked.
+// The average over the closed manifolds. If no mesh is one, the average over all meshes, marked †.
 void add_average(const Variant& variant, const ValenceSum& closed, const ValenceSum& open, Table& table) {
   const ValenceSum& sum = closed.count > 0 ? closed : open;
   const int left_out = closed.count > 0 ? open.count : 0;
@@ -229,8 +229,8 @@ Table edge_length_table(const Results& results, const RunGrid& runs) {
     }
   }
   table.remarks = {
-      "h0 is the same for every method. Own h0 belongs to the sizing field that a method computed for itself, for "
-      "example from another medial axis. The paper counts against its own h0."};
+      "h0 is the same for every method. Own h0 belongs to the sizing field that a method computed itself, for example "
+      "from another medial axis. The paper compares edges with its own h0."};
   table.definitions = {"edge_over_h0_max", "edge_over_h0_exceed_percent", "edge_over_h0_exceed_triangle_percent",
                        "edge_over_own_h0_exceed_triangle_percent", "floor_area_percent"};
   table.source = source_line(results, "Figure 4");

@@ -1,4 +1,4 @@
-#include "isobench/experiments/runner/child_outcome.h"
+#include "isobench/experiments/runner/cell_outcome.h"
 
 #include <fmt/format.h>
 
@@ -48,8 +48,8 @@ std::string exit_reason(const ChildExit& exit, const std::filesystem::path& log)
 
 }  // namespace
 
-ChildOutcome outcome_of(const RunRequest& request, const ChildExit& exit, double seconds,
-                        const std::filesystem::path& folder) {
+CellOutcome outcome_of(const RunRequest& request, const ChildExit& exit, double seconds,
+                       const std::filesystem::path& folder) {
   std::string reason;
   if (exit.signal != 0 || !std::filesystem::is_regular_file(folder / "run.json")) {
     reason = exit_reason(exit, folder / "log.txt");
@@ -59,7 +59,7 @@ ChildOutcome outcome_of(const RunRequest& request, const ChildExit& exit, double
   return {failure(request, Status::failed, reason, seconds), false};
 }
 
-std::optional<RunRecord> beyond_limits(const RunRequest& request, Child& child) {
+std::optional<RunRecord> beyond_limits(const RunRequest& request, CellProcess& child) {
   const double seconds = child.seconds();
   if (request.limit_minutes && seconds > 60.0 * *request.limit_minutes) {
     return failure(request, Status::timeout, fmt::format("not finished after {} minutes", *request.limit_minutes),

@@ -11,17 +11,17 @@
 namespace isobench {
 
 /// The last progress that a child reported.
-struct ChildProgress {
+struct CellProgress {
   std::string stage;
   double fraction = -1.0;  ///< negative: unknown
 };
 
-class Child {
+class CellProcess {
  public:
   /// Starts a program with these words and "--progress-fd N", where N is the descriptor to write lines "fraction stage"
   /// to. Its stdout and stderr go to `log`. It dies with the calling thread, so call this from the main thread. Throws
   /// Error if it cannot be started.
-  Child(std::vector<std::string> words, const std::filesystem::path& log);
+  CellProcess(std::vector<std::string> words, const std::filesystem::path& log);
 
   /// As of ChildProcess.
   std::optional<ChildExit> poll() { return process_.poll(); }
@@ -30,12 +30,12 @@ class Child {
   double peak_memory_gb() { return process_.peak_memory_bytes() / 1e9; }
 
   /// The last progress that was reported. Empties the pipe.
-  const ChildProgress& progress();
+  const CellProgress& progress();
 
  private:
   ChildProcess process_;
   std::string unread_;  // from the pipe: the beginning of a line
-  ChildProgress progress_;
+  CellProgress progress_;
 };
 
 }  // namespace isobench

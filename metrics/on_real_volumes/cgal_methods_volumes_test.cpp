@@ -1,5 +1,5 @@
-// What CGAL's methods reach on a real volume: a bone of one or two voxels, whose two shells the lattice joins. Figures
-// as measured of CGAL's own programs at about 50,000 vertices.
+// What CGAL's methods reach on a real volume: a bone one or two voxels thick, whose two shells the lattice joins. The
+// expected figures were measured on CGAL's own programs at about 50,000 vertices.
 
 #include <gtest/gtest.h>
 

@@ -11,14 +11,14 @@
 #include "isobench/reports/page/html.h"
 #include "isobench/reports/page/page.h"
 #include "isobench/reports/runs/run_grid.h"
+#include "isobench/reports/tables/best_methods.h"
 #include "isobench/reports/tables/table_parts.h"
-#include "isobench/reports/tables/verdict.h"
 
 namespace isobench {
 
 namespace {
 
-// A reader skips a longer list.
+// Shortens the list, because readers skip longer ones.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 12;
   if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
@@ -138,7 +138,7 @@ std::string summary_html(const Results& results) {
   }
   const std::vector<std::string> sentences = best_sentences(runs);
   if (!sentences.empty()) {
-    text += "<h3>Which method is best at what (with a tie, all are named)</h3>\n<ul class=\"findings\">\n";
+    text += "<h3>Where each method is best (in a tie, all are named)</h3>\n<ul class=\"findings\">\n";
     for (const std::string& sentence : sentences) text += "<li>" + html_escaped(sentence) + "</li>\n";
     text += "</ul>\n";
   }
@@ -202,7 +202,7 @@ std::string citations_html(const Results& results) {
   try {
     for (DatasetInfo& info : list_datasets()) known[info.name] = std::move(info);
   } catch (const Error&) {
-    // The program was moved away from its catalogue. The page is made without the data sets' own words.
+    // The program was moved away from its catalogue. The page then does not describe the data sets.
   }
   std::string text = "<section id=\"cite\"><h2>How to cite</h2>\n<dl>\n<dt>This software</dt>\n";
   for (const std::string& version : distinct(results, [](const RunRecord& r) {

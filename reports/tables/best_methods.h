@@ -1,0 +1,41 @@
+// The overview that a reader wants first: the best method for each criterion and data set, and totals of each method.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isobench/reports/runs/run_grid.h"
+#include "isobench/reports/tables/table.h"
+
+namespace isobench {
+
+/// A criterion by which methods are compared: which method has the best value of a figure?
+struct Question {
+  std::string name;    ///< "Worst triangle (radius ratio)"
+  std::string figure;  ///< one of figure_names()
+  bool larger = true;  ///< a larger value is better
+  std::string unit;
+  int digits = 3;      ///< significant digits; values that print alike count as equal
+  bool timed = false;  ///< only runs that were timed alike count
+};
+const std::vector<Question>& questions();
+
+/// The best methods on a dataset, by the medians over counted_runs(): several if their values print alike, none if
+/// nothing was measured.
+struct Best {
+  std::vector<std::string> names;
+  double value = 0.0;
+  std::string text;  ///< "particles: 0.153", with "†" after the name if the mesh is not closed and manifold
+};
+Best best(const Question& question, const RunGrid& runs, const std::string& dataset);
+
+/// The best methods: one row for each criterion, one column for each dataset.
+Table best_table(const RunGrid& runs);
+
+/// One row for each method, over all data sets: sound meshes, right topology, quality and cost.
+Table methods_table(const RunGrid& runs);
+
+/// best_table() as sentences: "Largest angle: particles on 3, advancing-front on 1 of 4 data sets."
+std::vector<std::string> best_sentences(const RunGrid& runs);
+
+}  // namespace isobench
