@@ -43,7 +43,7 @@ function(isobench_tests floor)
   add_executable(${program} ${arg_SOURCES})
   target_link_libraries(${program} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   # Most of a test's code runs once: above -O1, compiling would take more time than running saves.
-  target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${program} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
   isobench_precompile(${program} isobench_precompiled_tests)
   add_dependencies(isobench_${arg_LABEL}_tests ${program})
   isobench_discover(${program} ${floor} slow "${arg_SLOW}" "")

@@ -1,7 +1,7 @@
 // Fuzzing. A target is a function `bool isobench::fuzz_<name>(std::string_view bytes)` in a *_fuzz.cpp beside the code
 // that it tries, named in the CMakeLists.txt of its floor. It takes any bytes as input and returns whether they were
 // valid. CMake makes two things from it:
-//   - the libFuzzer program fuzz-<name> (preset "asan", section "fuzz" of .ci/run), which searches for harmful inputs,
+//   - the libFuzzer program fuzz-<name> (preset "fuzz", section "fuzz" of .ci/run), which searches for harmful inputs,
 //     starting from those in corpus/<name>/ beside the target;
 //   - the test Corpus.<name>, which tries every file of that corpus in any build.
 // A target may refuse an input with a UsageError or a DataError. Any other exception is a finding. When a finding is
