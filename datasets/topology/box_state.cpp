@@ -1,0 +1,224 @@
+#include "isobench/datasets/topology/box_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace isobench {
+
+namespace {
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+using Double4 = double __attribute__((vector_size(32)));
+
+__attribute__((always_inline)) inline Double4 load(const double* p) {
+  Double4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// The differences of a line's neighbours; the last lane repeats the last difference.
+__attribute__((always_inline)) inline Double4 differences(const Double4& line) {
+  return __builtin_shufflevector(line, line, 1, 2, 3, 3) - __builtin_shufflevector(line, line, 0, 1, 2, 2);
+}
+
+/// Smallest and largest of the values added, lane by lane.
+struct Lanes {
+  Double4 low;
+  Double4 high;
+
+  explicit Lanes(const Double4& first) : low(first), high(first) {}
+  __attribute__((always_inline)) inline void add(const Double4& v) {
+    low = v < low ? v : low;
+    high = v > high ? v : high;
+  }
+  double least() const { return std::min(std::min(low[0], low[1]), std::min(low[2], low[3])); }
+  double most() const { return std::max(std::max(high[0], high[1]), std::max(high[2], high[3])); }
+};
+
+/// Bounds of a derivative, and its mean.
+struct Slope {
+  double least = 0.0;
+  double most = 0.0;
+  double mean = 0.0;
+
+  bool has_sign(double margin) const { return least > margin || most < -margin; }
+};
+
+double sum(const Double4& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+
+/// Whether the function rises strictly along one of the axes or along its mean gradient g: Σ g·∂f is bounded by the
+/// bounds of the partial derivatives.
+template <std::size_t axes>
+bool is_monotone(const std::array<Slope, axes>& slopes, double margin) {
+  double rise = 0.0;
+  double scale = 0.0;
+  for (const Slope& slope : slopes) {
+    if (slope.has_sign(margin)) return true;
+    rise += slope.mean * (slope.mean > 0.0 ? slope.least : slope.most);
+    scale += std::abs(slope.mean);
+  }
+  return rise > margin * scale && scale > 0.0;
+}
+
+std::array<Slope, 3> slopes_of(const Tricubic& f) {
+  const double* b = f.b.data();
+  Double4 first = differences(load(b));
+  Lanes x(first);
+  for (std::size_t n = 4; n < 64; n += 4) x.add(differences(load(b + n)));
+  Lanes y(load(b + 4) - load(b));
+  for (std::size_t n = 0; n < 64; n += 4) {
+    if (n % 16 != 12) y.add(load(b + n + 4) - load(b + n));
+  }
+  Lanes z(load(b + 16) - load(b));
+  for (std::size_t n = 4; n < 48; n += 4) z.add(load(b + n + 16) - load(b + n));
+  // The inner differences cancel in the sums.
+  double along_x = 0.0;
+  for (std::size_t n = 0; n < 64; n += 4) along_x += b[n + 3] - b[n];
+  Double4 along_y{};
+  for (std::size_t n = 0; n < 64; n += 16) along_y += load(b + n + 12) - load(b + n);
+  Double4 along_z{};
+  for (std::size_t n = 0; n < 16; n += 4) along_z += load(b + n + 48) - load(b + n);
+  return {Slope{x.least(), x.most(), along_x / 48.0}, Slope{y.least(), y.most(), sum(along_y) / 48.0},
+          Slope{z.least(), z.most(), sum(along_z) / 48.0}};
+}
+
+/// The 4 × 4 coefficients of a face.
+using Face = std::array<Double4, 4>;
+
+Face face_of(const Tricubic& f, int axis, int side) {
+  const double* b = f.b.data();
+  const auto s = static_cast<std::size_t>(3 * side);
+  Face face{};
+  for (std::size_t m = 0; m < 4; ++m) {
+    if (axis == 0) {
+      const double* p = b + s + 16 * m;
+      face[m] = Double4{p[0], p[4], p[8], p[12]};
+    } else {
+      face[m] = load(axis == 1 ? b + 4 * s + 16 * m : b + 16 * s + 4 * m);
+    }
+  }
+  return face;
+}
+
+bool is_regular_face(const Face& face, double margin) {
+  Lanes values(face[0]);
+  for (std::size_t m = 1; m < 4; ++m) values.add(face[m]);
+  if (values.least() > margin || values.most() < -margin) return true;
+  Lanes u(differences(face[0]));
+  for (std::size_t m = 1; m < 4; ++m) u.add(differences(face[m]));
+  Lanes v(face[1] - face[0]);
+  v.add(face[2] - face[1]);
+  v.add(face[3] - face[2]);
+  double along_u = 0.0;
+  for (const Double4& line : face) along_u += line[3] - line[0];
+  return is_monotone<2>(
+      {Slope{u.least(), u.most(), along_u / 12.0}, Slope{v.least(), v.most(), sum(face[3] - face[0]) / 12.0}}, margin);
+}
+
+bool is_regular_edge(const double* b, std::size_t step, double margin) {
+  const double b0 = b[0];
+  const double b1 = b[step];
+  const double b2 = b[2 * step];
+  const double b3 = b[3 * step];
+  if (std::min(std::min(b0, b1), std::min(b2, b3)) > margin) return true;
+  if (std::max(std::max(b0, b1), std::max(b2, b3)) < -margin) return true;
+  return (b1 - b0 > margin && b2 - b1 > margin && b3 - b2 > margin) ||
+         (b1 - b0 < -margin && b2 - b1 < -margin && b3 - b2 < -margin);
+}
+
+bool edges_are_regular(const Tricubic& f, double margin) {
+  const double* b = f.b.data();
+  for (const std::size_t v : {0U, 12U}) {
+    for (const std::size_t w : {0U, 48U}) {
+      if (!is_regular_edge(b + v + w, 1, margin)) return false;
+    }
+  }
+  for (const std::size_t u : {0U, 3U}) {
+    for (const std::size_t w : {0U, 48U}) {
+      if (!is_regular_edge(b + u + w, 4, margin)) return false;
+    }
+    for (const std::size_t v : {0U, 12U}) {
+      if (!is_regular_edge(b + u + v, 16, margin)) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the corners of this set that are joined along edges of the cube are one piece; true for the empty set.
+constexpr bool is_connected(unsigned corners) {
+  if (corners == 0) return true;
+  unsigned reached = corners & (~corners + 1U);
+  for (int pass = 0; pass < 8; ++pass) {
+    for (unsigned c = 0; c < 8; ++c) {
+      if ((reached >> c & 1U) == 0) continue;
+      for (unsigned axis = 1; axis < 8; axis *= 2) reached |= (1U << (c ^ axis)) & corners;
+    }
+  }
+  return reached == corners;
+}
+
+/// Whether one of the cube's faces has its inside corners on a diagonal.
+constexpr bool has_ambiguous_face(unsigned corners) {
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const unsigned a = 1U << axis;
+    const unsigned u = 1U << (axis + 1) % 3;
+    const unsigned v = 1U << (axis + 2) % 3;
+    for (const unsigned base : {0U, a}) {
+      const auto in = [&](unsigned corner) { return corners >> corner & 1U; };
+      if (in(base) == in(base | u | v) && in(base | u) == in(base | v) && in(base) != in(base | u)) return true;
+    }
+  }
+  return false;
+}
+
+/// For each set of inside corners, whether F = c meets the box's boundary in at most one loop.
+constexpr std::array<bool, 256> make_single_loop() {
+  std::array<bool, 256> table{};
+  for (unsigned corners = 0; corners < 256; ++corners) {
+    table[corners] = !has_ambiguous_face(corners) && is_connected(corners) && is_connected(~corners & 255U);
+  }
+  return table;
+}
+constexpr std::array<bool, 256> single_loop = make_single_loop();
+
+Lanes values_of(const Tricubic& f) {
+  Lanes values(load(f.b.data()));
+  for (std::size_t n = 4; n < 64; n += 4) values.add(load(&f.b[n]));
+  return values;
+}
+
+}  // namespace
+
+BoxState examine(const Tricubic& f, double margin) {
+  const Lanes values = values_of(f);
+  if (values.least() > margin) return {BoxKind::without_surface, 255};
+  if (values.most() < -margin) return {BoxKind::without_surface, 0};
+  BoxState state;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const double value = f.corner(corner & 1U, corner >> 1U & 1U, corner >> 2U & 1U);
+    if (!(std::abs(value) > margin)) return state;
+    if (value > 0.0) state.inside = static_cast<std::uint8_t>(state.inside | 1U << corner);
+  }
+  if (!single_loop[state.inside] || !is_monotone(slopes_of(f), margin) || !edges_are_regular(f, margin)) return state;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      if (!is_regular_face(face_of(f, axis, side), margin)) return state;
+    }
+  }
+  const bool mixed = state.inside != 0 && state.inside != 255;
+  state.kind = mixed ? BoxKind::disc : BoxKind::without_surface;
+  return state;
+}
+
+bool avoids(const Tricubic& f, double low, double high) {
+  const Lanes values = values_of(f);
+  return values.least() > high || values.most() < low;
+}
+
+bool is_regular(const Tricubic& f, double low, double high, double margin) {
+  return avoids(f, low, high) || is_monotone(slopes_of(f), margin);
+}
+
+}  // namespace isobench

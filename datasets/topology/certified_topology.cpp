@@ -1,0 +1,293 @@
+#include "isobench/datasets/topology/certified_topology.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "isobench/foundation/union_find.h"
+
+namespace isobench {
+
+namespace {
+
+/// What is known of the range of F.
+double range_of(const Isosurface& surface) {
+  const auto [nx, ny, nz] = surface.lattice().size;
+  float least = std::numeric_limits<float>::infinity();
+  float most = -least;
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        const float c = surface.coefficient(i, j, k);
+        least = std::min(least, c);
+        most = std::max(most, c);
+      }
+    }
+  }
+  return static_cast<double>(most) - static_cast<double>(least);
+}
+
+/// A node of a slab's trees. Without a slab, it is what is outside the lattice.
+struct Place {
+  const CellSlab* slab = nullptr;
+  std::uint32_t node = 0;
+  int depth = -1;
+
+  bool is_outside() const { return slab == nullptr; }
+  const TreeNode& get() const { return slab->nodes[node]; }
+  bool is_leaf() const { return is_outside() || !get().is_cut; }
+  bool is_without_surface() const { return !is_outside() && !get().is_cut && get().kind == BoxKind::without_surface; }
+  bool is_inside(unsigned corner) const { return (get().inside >> corner & 1U) != 0; }
+  Place part(unsigned number) const { return is_leaf() ? *this : Place{slab, get().next + number, depth + 1}; }
+};
+
+/// A disc: the slab's k and the number in it.
+using Disc = std::pair<int, std::uint32_t>;
+
+struct SlabCount {
+  std::vector<int> euler;                     // of each disc: 1, less its arcs, plus its points
+  std::vector<std::pair<Disc, Disc>> joined;  // discs on both sides of an arc
+  bool is_open = false;
+  int deepest = 0;
+};
+
+/// Visits every smallest face and edge that belongs to a slab exactly once, by descending at the same time into all
+/// boxes around it (the traversal of Ju, Losasso, Schaefer, Warren 2002, Dual contouring of Hermite data).
+class Counter {
+ public:
+  Counter(const std::vector<CellSlab>& slabs, const std::array<int, 3>& cells, int k)
+      : slabs_(slabs), cells_(cells), k_(k) {
+    const std::size_t columns = static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]);
+    for (const int from : {0, 1}) {
+      if (k - from < 0) continue;
+      std::vector<std::int32_t>& index = index_[static_cast<std::size_t>(from)];
+      index.assign(columns, -1);
+      const CellSlab& slab = slabs[static_cast<std::size_t>(k - from)];
+      for (std::size_t n = 0; n < slab.cells.size(); ++n) index[slab.cells[n]] = static_cast<std::int32_t>(n);
+    }
+    count_.euler.assign(slabs[static_cast<std::size_t>(k)].discs, 1);
+  }
+
+  SlabCount run() {
+    const CellSlab& slab = slabs_[static_cast<std::size_t>(k_)];
+    for (std::size_t n = 0; n < slab.cells.size(); ++n) {
+      const int i = static_cast<int>(slab.cells[n]) % cells_[0];
+      const int j = static_cast<int>(slab.cells[n]) / cells_[0];
+      within({&slab, slab.roots[n], 0});
+      faces_and_edges({i, j, k_});
+    }
+    return std::move(count_);
+  }
+
+ private:
+  /// The cell's tree, the outside, or nothing where F = c does not cross the cell.
+  struct Neighbour {
+    Place place;
+    bool has_surface = true;
+  };
+  Neighbour at(const std::array<int, 3>& cell) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell[axis] < 0 || cell[axis] >= cells_[axis]) return {};
+    }
+    const auto from = static_cast<std::size_t>(k_ - cell[2]);
+    const std::int32_t n = index_[from][static_cast<std::size_t>(cell[0] + cell[1] * cells_[0])];
+    if (n < 0) return {{}, false};
+    const CellSlab& slab = slabs_[static_cast<std::size_t>(cell[2])];
+    return {{&slab, slab.roots[static_cast<std::size_t>(n)], 0}, true};
+  }
+
+  // Each cell sees to its faces and edges on the low sides, and to those on the lattice's high border.
+  void faces_and_edges(const std::array<int, 3>& cell) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto u = static_cast<std::size_t>((axis + 1) % 3);
+      const auto v = static_cast<std::size_t>((axis + 2) % 3);
+      const auto a = static_cast<std::size_t>(axis);
+      for (const int side : sides(cell, a)) {
+        const Neighbour low = at(moved(cell, a, side - 1));
+        const Neighbour high = at(moved(cell, a, side));
+        if (low.has_surface && high.has_surface) face(axis, low.place, high.place);
+      }
+      for (const int at_u : sides(cell, u)) {
+        for (const int at_v : sides(cell, v)) {
+          std::array<Place, 4> around;
+          bool has_surface = true;
+          for (int q = 0; q < 4; ++q) {
+            const Neighbour next = at(moved(moved(cell, u, at_u - 1 + (q & 1)), v, at_v - 1 + (q >> 1)));
+            has_surface = has_surface && next.has_surface;
+            around[static_cast<std::size_t>(q)] = next.place;
+          }
+          if (has_surface) edge(axis, around);
+        }
+      }
+    }
+  }
+  /// 0 for the low side; also 1, the high side, on the lattice's border. The low neighbours in z are of the slab
+  /// before.
+  std::vector<int> sides(const std::array<int, 3>& cell, std::size_t axis) const {
+    return cell[axis] + 1 == cells_[axis] ? std::vector<int>{0, 1} : std::vector<int>{0};
+  }
+  static std::array<int, 3> moved(std::array<int, 3> cell, std::size_t axis, int by) {
+    cell[axis] += by;
+    return cell;
+  }
+
+  void within(const Place& place) {
+    count_.deepest = std::max(count_.deepest, place.depth);
+    if (place.is_leaf()) return;
+    for (unsigned part = 0; part < 8; ++part) within(place.part(part));
+    for (int axis = 0; axis < 3; ++axis) {
+      const unsigned a = 1U << axis;
+      const unsigned u = 1U << (axis + 1) % 3;
+      const unsigned v = 1U << (axis + 2) % 3;
+      for (const unsigned p : {0U, u, v, u | v}) face(axis, place.part(p), place.part(p | a));
+      for (const unsigned p : {0U, a})
+        edge(axis, {place.part(p), place.part(p | u), place.part(p | v), place.part(p | u | v)});
+    }
+  }
+
+  void face(int axis, const Place& low, const Place& high) {
+    if (low.is_without_surface() || high.is_without_surface()) return;
+    const unsigned a = 1U << axis;
+    const unsigned u = 1U << (axis + 1) % 3;
+    const unsigned v = 1U << (axis + 2) % 3;
+    if (low.is_leaf() && high.is_leaf()) {
+      const bool of_low = low.depth > high.depth;
+      const Place& finer = of_low ? low : high;
+      const unsigned base = of_low ? a : 0U;
+      const bool first = finer.is_inside(base);
+      if (first == finer.is_inside(base | u) && first == finer.is_inside(base | v) &&
+          first == finer.is_inside(base | u | v))
+        return;
+      const Place& own = is_own(high) ? high : low;
+      --count_.euler[own.get().next];
+      if (low.is_outside() || high.is_outside())
+        count_.is_open = true;
+      else
+        count_.joined.push_back({disc(low), disc(high)});
+      return;
+    }
+    for (const unsigned p : {0U, u, v, u | v}) face(axis, low.part(p | a), high.part(p));
+    // The edges between these four faces, along v and along u.
+    for (const unsigned half : {0U, v})
+      edge((axis + 2) % 3, {low.part(a | half), high.part(half), low.part(a | u | half), high.part(u | half)});
+    for (const unsigned half : {0U, u})
+      edge((axis + 1) % 3, {low.part(a | half), low.part(a | v | half), high.part(half), high.part(v | half)});
+  }
+
+  /// `around`: the places at the low and high side of the edge along the two other axes, in the order of axes axis + 1
+  /// and axis + 2: number q is on the high side of the first if q has bit 1, and of the second if it has bit 2.
+  void edge(int axis, const std::array<Place, 4>& around) {
+    bool leaves = true;
+    std::size_t finest = 0;
+    for (std::size_t q = 0; q < 4; ++q) {
+      if (around[q].is_without_surface()) return;
+      leaves = leaves && around[q].is_leaf();
+      if (around[q].depth > around[finest].depth) finest = q;
+    }
+    const unsigned a = 1U << axis;
+    const unsigned u = 1U << (axis + 1) % 3;
+    const unsigned v = 1U << (axis + 2) % 3;
+    const auto corner = [&](std::size_t q) { return ((q & 1U) != 0 ? 0U : u) | ((q & 2U) != 0 ? 0U : v); };
+    if (leaves) {
+      const Place& finer = around[finest];
+      if (finer.is_inside(corner(finest)) == finer.is_inside(corner(finest) | a)) return;
+      for (const Place& place : around) {
+        if (!is_own(place)) continue;
+        ++count_.euler[place.get().next];
+        return;
+      }
+      return;
+    }
+    for (const unsigned half : {0U, a}) {
+      std::array<Place, 4> parts;
+      for (std::size_t q = 0; q < 4; ++q) parts[q] = around[q].part(corner(q) | half);
+      edge(axis, parts);
+    }
+  }
+
+  bool is_own(const Place& place) const { return place.slab == &slabs_[static_cast<std::size_t>(k_)]; }
+  Disc disc(const Place& place) const { return {is_own(place) ? k_ : k_ - 1, place.get().next}; }
+
+  const std::vector<CellSlab>& slabs_;
+  const std::array<int, 3> cells_;
+  const int k_;
+  std::array<std::vector<std::int32_t>, 2> index_;  // of the slab itself and of the one before
+  SlabCount count_;
+};
+
+void count(const Isosurface& surface, const std::vector<CellSlab>& slabs, Monitor& monitor, CertifiedTopology& result) {
+  const std::array<int, 3>& size = surface.lattice().size;
+  std::vector<SlabCount> counts(slabs.size());
+  tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t k) {
+    if (monitor.is_cancelled()) return;
+    counts[k] = Counter(slabs, {size[0] - 1, size[1] - 1, size[2] - 1}, static_cast<int>(k)).run();
+  });
+  monitor.check();
+  std::vector<std::size_t> first(slabs.size() + 1, 0);
+  for (std::size_t k = 0; k < slabs.size(); ++k) first[k + 1] = first[k] + slabs[k].discs;
+  UnionFind pieces(first.back());
+  const auto number = [&first](const Disc& disc) {
+    return static_cast<std::uint32_t>(first[static_cast<std::size_t>(disc.first)] + disc.second);
+  };
+  for (const SlabCount& of_slab : counts) {
+    for (const auto& [a, b] : of_slab.joined) pieces.unite(number(a), number(b));
+    result.is_open = result.is_open || of_slab.is_open;
+    result.deepest = std::max(result.deepest, of_slab.deepest);
+  }
+  std::vector<std::uint32_t> component(first.back(), 0);
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    for (std::uint32_t d = 0; d < slabs[k].discs; ++d) {
+      const std::uint32_t n = number({static_cast<int>(k), d});
+      const std::uint32_t root = pieces.find(n);
+      if (root == n) {
+        component[n] = static_cast<std::uint32_t>(result.components.size());
+        result.components.emplace_back();
+      }
+      SurfaceComponent& of = result.components[component[root]];
+      of.euler += counts[k].euler[d];
+      ++of.boxes;
+    }
+  }
+  for (const SurfaceComponent& of : result.components) result.euler += of.euler;
+  result.boxes = first.back();
+}
+
+/// Rounding: 64 coefficients and few operations a cut, in double precision.
+constexpr double margin_of_range = 1e-13;
+
+bool count_at(const Isosurface& surface, double value, double margin, const CutRule& rule, Monitor& monitor,
+              CertifiedTopology& result) {
+  const std::vector<CellSlab> slabs = subdivide(surface, -value, margin, rule, true, monitor);
+  if (std::any_of(slabs.begin(), slabs.end(), [](const CellSlab& slab) { return !slab.undecided.empty(); }))
+    return false;
+  result.is_regular = true;
+  result.counted_at = value;
+  count(surface, slabs, monitor, result);
+  return true;
+}
+
+}  // namespace
+
+CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, const CutRule& rule) {
+  CertifiedTopology result;
+  const double range = range_of(surface);
+  const double margin = margin_of_range * range;
+  if (count_at(surface, 0.0, margin, rule, monitor, result)) return result;
+  // Zeros at corners or along faces of the lattice, or a critical point. In a band around 0 without critical values all
+  // values have the same topology, and the first kind is left behind.
+  for (const double width : {1e-6, 1e-8, 1e-10}) {
+    const double band = width * range;
+    result.singular = singular_boxes(surface, -band, band, margin, rule, monitor);
+    if (!result.singular.empty()) continue;
+    for (const double part : {0.618, -0.618, 0.377, -0.377, 0.854, -0.854, 0.146, -0.146}) {
+      if (count_at(surface, part * band, margin, rule, monitor, result)) return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace isobench

@@ -1,0 +1,182 @@
+// The proof against closed forms, against itself under symmetries, and on values that are no regular values.
+#include "isobench/datasets/topology/certified_topology.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/random.h"
+
+namespace isobench {
+namespace {
+
+using Size = std::array<int, 3>;
+
+template <class Value>
+FloatVolume volume_of(const Size& size, Value&& value) {
+  FloatVolume volume;
+  volume.lattice.size = size;
+  volume.samples.reserve(volume.lattice.nodes());
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i) volume.samples.push_back(static_cast<float>(value(i, j, k)));
+    }
+  }
+  return volume;
+}
+
+bool is_on_border(const Size& size, int i, int j, int k) {
+  return std::min({i, j, k, size[0] - 1 - i, size[1] - 1 - j, size[2] - 1 - k}) < 2;
+}
+
+CertifiedTopology topology_of(const FloatVolume& volume, double isovalue, const CutRule& rule = {}) {
+  Monitor monitor;
+  return certified_topology(Isosurface(volume, isovalue), monitor, rule);
+}
+
+void expect_topology(const CertifiedTopology& found, long euler, std::size_t components) {
+  EXPECT_TRUE(found.is_regular);
+  EXPECT_EQ(found.euler, euler);
+  EXPECT_EQ(found.components.size(), components);
+}
+
+/// Noise in [0, 1), averaged over neighbours, and 0 on the border.
+FloatVolume noise(std::uint64_t seed, const Size& size) {
+  FloatVolume volume = volume_of(size, [&](int i, int j, int k) {
+    double sum = 0.0;
+    for (int n = 0; n < 8; ++n) {
+      const auto index =
+          static_cast<std::uint64_t>((k + (n >> 2 & 1)) * 10000 + (j + (n >> 1 & 1)) * 100 + i + (n & 1));
+      sum += uniform_random(seed, index, 0);
+    }
+    return is_on_border(size, i, j, k) ? 0.0 : sum / 8.0;
+  });
+  return volume;
+}
+
+FloatVolume mask(const FloatVolume& values, float threshold) {
+  FloatVolume result = values;
+  for (float& sample : result.samples) sample = sample > threshold ? 1.0F : 0.0F;
+  return result;
+}
+
+/// The volume with its axes exchanged cyclically `turns` times, and mirrored along the first axis.
+FloatVolume turned(const FloatVolume& volume, int turns, bool mirrored) {
+  const Size& from = volume.lattice.size;
+  const auto at = [turns](const Size& of, int axis) { return of[static_cast<std::size_t>((axis + turns) % 3)]; };
+  return volume_of({at(from, 0), at(from, 1), at(from, 2)}, [&](int i, int j, int k) {
+    Size node{};
+    const Size here = {mirrored ? at(from, 0) - 1 - i : i, j, k};
+    for (int axis = 0; axis < 3; ++axis)
+      node[static_cast<std::size_t>((axis + turns) % 3)] = here[static_cast<std::size_t>(axis)];
+    return volume.at(node[0], node[1], node[2]);
+  });
+}
+
+class CertifiedPhantom : public testing::TestWithParam<Phantom> {};
+
+TEST_P(CertifiedPhantom, HasItsEulerCharacteristicAndComponents) {
+  const Phantom& shape = GetParam();
+  const CertifiedTopology found = topology_of(sample_phantom(shape, 48), 0.0);
+  expect_topology(found, shape.euler, static_cast<std::size_t>(shape.components));
+  EXPECT_FALSE(found.is_open);
+}
+
+INSTANTIATE_TEST_SUITE_P(Phantoms, CertifiedPhantom, testing::ValuesIn([] {
+                           std::vector<Phantom> coarse;
+                           for (const Phantom& shape : phantoms()) {
+                             // Thin parts of these two need a finer lattice than this test's.
+                             if (shape.name != "thin-sheets" && shape.name != "vessel-tree") coarse.push_back(shape);
+                           }
+                           return coarse;
+                         }()),
+                         [](const auto& chosen) {
+                           std::string name = chosen.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(CertifiedTopology, IsTheSameForAnotherCutMirroredAndWithAxesExchanged) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const FloatVolume field = noise(seed, {14, 15, 16});
+    for (const FloatVolume& volume : {field, mask(field, 0.55F)}) {
+      const CertifiedTopology found = topology_of(volume, 0.5);
+      ASSERT_TRUE(found.is_regular) << seed;
+      EXPECT_FALSE(found.is_open);
+      const auto same = [&](const CertifiedTopology& other) {
+        expect_topology(other, found.euler, found.components.size());
+      };
+      same(topology_of(volume, 0.5, {.at = 0.5214}));
+      same(topology_of(turned(volume, 0, true), 0.5));
+      same(topology_of(turned(volume, 1, false), 0.5));
+      same(topology_of(turned(volume, 2, true), 0.5));
+      same(topology_of(volume, 0.5 + 1e-9));
+      same(topology_of(volume, 0.5 - 1e-9));
+    }
+  }
+}
+
+TEST(CertifiedTopology, DoesNotDependOnThreads) {
+  const FloatVolume field = noise(5, {20, 20, 20});
+  const CertifiedTopology many = topology_of(field, 0.5);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const CertifiedTopology single = topology_of(field, 0.5);
+  expect_topology(single, many.euler, many.components.size());
+  EXPECT_EQ(single.boxes, many.boxes);
+  for (std::size_t n = 0; n < single.components.size(); ++n) {
+    EXPECT_EQ(single.components[n].euler, many.components[n].euler);
+    EXPECT_EQ(single.components[n].boxes, many.components[n].boxes);
+  }
+}
+
+// A speck whose peak is 0.001 above c lies between the nodes of any lattice of signs that is not very fine.
+TEST(CertifiedTopology, FindsSpecksBetweenNodes) {
+  FloatVolume volume = volume_of({12, 12, 12}, [](int, int, int) { return 0.0; });
+  for (int n = 0; n < 8; ++n) volume.at(5 + (n & 1), 5 + (n >> 1 & 1), 5 + (n >> 2)) = 1.0F;
+  // F at the middle of the eight nodes: (23/24)³ of 1.
+  const double peak = std::pow(23.0 / 24.0, 3);
+  expect_topology(topology_of(volume, peak - 1e-3), 2, 1);
+  expect_topology(topology_of(volume, peak - 1e-6), 2, 1);
+}
+
+TEST(CertifiedTopology, ATouchIsNoRegularValue) {
+  // Two blocks that share an edge: F = 0.5 along it, with a gradient of zero.
+  const FloatVolume volume = volume_of({14, 14, 14}, [](int i, int j, int k) {
+    const bool first = i >= 3 && i < 7 && j >= 3 && j < 7;
+    const bool second = i >= 7 && i < 11 && j >= 7 && j < 11;
+    return k >= 3 && k < 11 && (first || second) ? 1.0 : 0.0;
+  });
+  const CertifiedTopology found = topology_of(volume, 0.5);
+  EXPECT_FALSE(found.is_regular);
+  ASSERT_FALSE(found.singular.empty());
+  for (const Box& box : found.singular) {
+    EXPECT_NEAR(box.low.x(), 6.5, 1e-3);
+    EXPECT_NEAR(box.low.y(), 6.5, 1e-3);
+  }
+  expect_topology(topology_of(volume, 0.49), 2, 1);
+  expect_topology(topology_of(volume, 0.51), 4, 2);
+}
+
+TEST(CertifiedTopology, APlateauIsNoRegularValue) {
+  const FloatVolume volume = volume_of({16, 16, 16}, [](int i, int j, int k) {
+    const double r = std::hypot(std::hypot(i - 7.5, j - 7.5), k - 7.5);
+    return r < 3.0 ? 2.0 : r < 6.0 ? 1.0 : 0.0;
+  });
+  const CertifiedTopology found = topology_of(volume, 1.0);
+  EXPECT_FALSE(found.is_regular);
+  EXPECT_FALSE(found.singular.empty());
+  expect_topology(topology_of(volume, 1.01), 2, 1);
+  expect_topology(topology_of(volume, 0.99), 2, 1);
+}
+
+TEST(CertifiedTopology, ASurfaceThatLeavesTheLatticeIsOpen) {
+  const CertifiedTopology plane = topology_of(volume_of({8, 9, 10}, [](int, int, int k) { return 4.3 - k; }), 0.0);
+  expect_topology(plane, 1, 1);
+  EXPECT_TRUE(plane.is_open);
+}
+
+}  // namespace
+}  // namespace isobench
