@@ -29,7 +29,7 @@ struct Lanes {
   Double4 high;
 
   explicit Lanes(const Double4& first) : low(first), high(first) {}
-  __attribute__((always_inline)) inline void add(const Double4& v) {
+  __attribute__((always_inline)) void add(const Double4& v) {
     low = v < low ? v : low;
     high = v > high ? v : high;
   }
@@ -89,7 +89,7 @@ using Face = std::array<Double4, 4>;
 
 Face face_of(const Tricubic& f, int axis, int side) {
   const double* b = f.b.data();
-  const auto s = static_cast<std::size_t>(3 * side);
+  const std::size_t s = side == 0 ? 0 : 3;
   Face face{};
   for (std::size_t m = 0; m < 4; ++m) {
     if (axis == 0) {
@@ -197,7 +197,7 @@ BoxState examine(const Tricubic& f, double margin) {
   if (values.most() < -margin) return {BoxKind::without_surface, 0};
   BoxState state;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const double value = f.corner(corner & 1U, corner >> 1U & 1U, corner >> 2U & 1U);
+    const double value = f.corner(corner);
     if (!(std::abs(value) > margin)) return state;
     if (value > 0.0) state.inside = static_cast<std::uint8_t>(state.inside | 1U << corner);
   }

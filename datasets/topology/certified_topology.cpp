@@ -94,7 +94,8 @@ class Counter {
       if (cell[axis] < 0 || cell[axis] >= cells_[axis]) return {};
     }
     const auto from = static_cast<std::size_t>(k_ - cell[2]);
-    const std::int32_t n = index_[from][static_cast<std::size_t>(cell[0] + cell[1] * cells_[0])];
+    const auto column = static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(cells_[0]);
+    const std::int32_t n = index_[from][column + static_cast<std::size_t>(cell[0])];
     if (n < 0) return {{}, false};
     const CellSlab& slab = slabs_[static_cast<std::size_t>(cell[2])];
     return {{&slab, slab.roots[static_cast<std::size_t>(n)], 0}, true};
