@@ -144,9 +144,15 @@ TEST(ChildProcess, ThePipeBringsWhatWasWrittenAndNeverBlocksTheChild) {
   EXPECT_EQ(ChildProcess(shell("exit 6")).take_from_pipe(), "") << "no pipe was asked for";
 }
 
+/// The files that a program keeps open while it sleeps. Before that, its start has its libraries open for a moment.
 std::set<std::string> open_files(const ChildProcess& child) {
+  const std::string folder = "/proc/" + std::to_string(child.pid());
+  EXPECT_TRUE(eventually([&folder] {
+    const std::string stat = read_text(folder + "/stat");
+    return stat.substr(stat.rfind(')') + 2, 1) == "S";
+  }));
   std::set<std::string> numbers;
-  for (const auto& entry : fs::directory_iterator("/proc/" + std::to_string(child.pid()) + "/fd")) {
+  for (const auto& entry : fs::directory_iterator(folder + "/fd")) {
     numbers.insert(entry.path().filename().string());
   }
   return numbers;
