@@ -22,6 +22,12 @@ function(isobench_precompile target name)
   endif()
 endfunction()
 
+# isobench_compile_quickly(target): for code that computes little, which takes longer to optimise than optimising saves.
+function(isobench_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+  isobench_precompile(${target} isobench_precompiled_light)
+endfunction()
+
 # isobench_tests(floor [LABEL label] LIBRARIES … SOURCES … [SLOW test …] [VOLUMES test …] [THREADS test …])
 #
 # One program for each floor and label. `ctest --label-regex` chooses by label. LABEL is "unit" unless given, or one of
