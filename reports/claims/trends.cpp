@@ -24,7 +24,7 @@ std::string letter(const std::string& name) { return name == "epsilon" ? "ε" : 
 bool has_epsilon_and_delta(const RunRecord& run) { return run.request.sizing.epsilon && run.request.sizing.delta; }
 
 // Runs that differ in one parameter of the sizing alone.
-struct Series {
+struct TrendSeries {
   Runs runs;
 
   bool accepts(const RunRecord& run, const std::string& varied) const {
@@ -54,20 +54,20 @@ struct Series {
   }
 };
 
-std::vector<Series> series_of(const Runs& runs, const std::string& varied) {
-  std::vector<Series> all;
+std::vector<TrendSeries> series_of(const Runs& runs, const std::string& varied) {
+  std::vector<TrendSeries> all;
   for (const RunRecord* run : runs) {
     auto found =
-        std::find_if(all.begin(), all.end(), [&](const Series& series) { return series.accepts(*run, varied); });
-    if (found == all.end()) found = all.insert(all.end(), Series{});
+        std::find_if(all.begin(), all.end(), [&](const TrendSeries& series) { return series.accepts(*run, varied); });
+    if (found == all.end()) found = all.insert(all.end(), TrendSeries{});
     found->runs.push_back(run);
   }
   // A data set that was run with only one value was not meant to show a trend.
-  std::erase_if(all, [&varied](const Series& series) { return !series.has_two_values(varied); });
+  std::erase_if(all, [&varied](const TrendSeries& series) { return !series.has_two_values(varied); });
   return all;
 }
 
-std::vector<Series> series_of_method(const Results& results, const std::string& method, const std::string& varied) {
+std::vector<TrendSeries> series_of_method(const Results& results, const std::string& method, const std::string& varied) {
   Runs first_choice;
   Runs all;
   for (const RunRecord& run : results.records) {
@@ -75,12 +75,12 @@ std::vector<Series> series_of_method(const Results& results, const std::string& 
     all.push_back(&run);
     if (run.request.label == method || run.request.aside) first_choice.push_back(&run);
   }
-  std::vector<Series> series = series_of(first_choice, varied);
+  std::vector<TrendSeries> series = series_of(first_choice, varied);
   return series.empty() ? series_of(all, varied) : series;
 }
 
 // Whether the median of the figure changes as claimed at every step from the largest value of the parameter down.
-Finding finding_of(const PublishedClaim& claim, const PublishedMethod& method, const Series& series) {
+Finding finding_of(const PublishedClaim& claim, const PublishedMethod& method, const TrendSeries& series) {
   std::map<double, Runs, std::greater<>> steps;
   for (const RunRecord* run : series.runs) steps[*parameter(*run, claim.smaller)].push_back(run);
   Finding finding;
@@ -121,7 +121,7 @@ std::vector<Finding> trend_findings(const PublishedClaim& claim, const Results& 
   const PublishedMethod& method = printed_method(*results.published, claim.method);
   for (const std::string& name : methods_for(method)) {
     std::vector<Finding> findings;
-    for (const Series& series : series_of_method(results, name, claim.smaller))
+    for (const TrendSeries& series : series_of_method(results, name, claim.smaller))
       findings.push_back(finding_of(claim, method, series));
     if (!findings.empty()) return findings;
   }
