@@ -67,7 +67,8 @@ std::vector<TrendSeries> series_of(const Runs& runs, const std::string& varied) 
   return all;
 }
 
-std::vector<TrendSeries> series_of_method(const Results& results, const std::string& method, const std::string& varied) {
+std::vector<TrendSeries> series_of_method(const Results& results, const std::string& method,
+                                          const std::string& varied) {
   Runs first_choice;
   Runs all;
   for (const RunRecord& run : results.records) {
