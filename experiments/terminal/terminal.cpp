@@ -82,10 +82,10 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
 
 std::string aligned_rows(const std::vector<std::vector<std::string>>& rows, std::size_t width) {
   const std::vector<std::size_t> widths = column_widths(rows);
-  std::size_t text_end = 0;
-  for (const std::size_t columns : widths) text_end += columns + 2;
+  std::size_t text_start = 0;
+  for (const std::size_t columns : widths) text_start += columns + 2;
   constexpr std::size_t least_text = 30;
-  const bool below = text_end + least_text > width;
+  const bool below = text_start + least_text > width;
   std::string result;
   for (const std::vector<std::string>& row : rows) {
     std::string line;
@@ -93,7 +93,7 @@ std::string aligned_rows(const std::vector<std::vector<std::string>>& rows, std:
       const std::size_t padding = below ? 0 : widths[n] - character_count(row[n]);
       line += row[n] + std::string(padding + 2, ' ');
     }
-    const std::size_t indent = below ? std::min(row.front().find_first_not_of(' '), row.front().size()) + 4 : text_end;
+    const std::size_t indent = below ? std::min(row.front().find_first_not_of(' '), row.front().size()) + 4 : text_start;
     if (below) line += "\n" + std::string(indent, ' ');
     line += wrapped(row.back(), indent, width);
     // No line ends with spaces, even if its last cell is empty or stands below it.
