@@ -93,7 +93,8 @@ std::string aligned_rows(const std::vector<std::vector<std::string>>& rows, std:
       const std::size_t padding = below ? 0 : widths[n] - character_count(row[n]);
       line += row[n] + std::string(padding + 2, ' ');
     }
-    const std::size_t indent = below ? std::min(row.front().find_first_not_of(' '), row.front().size()) + 4 : text_start;
+    const std::size_t indent =
+        below ? std::min(row.front().find_first_not_of(' '), row.front().size()) + 4 : text_start;
     if (below) line += "\n" + std::string(indent, ' ');
     line += wrapped(row.back(), indent, width);
     // No line ends with spaces, even if its last cell is empty or stands below it.
