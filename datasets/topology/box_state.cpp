@@ -212,13 +212,9 @@ BoxState examine(const Tricubic& f, double margin) {
   return state;
 }
 
-bool avoids(const Tricubic& f, double low, double high) {
-  const Lanes values = values_of(f);
-  return values.least() > high || values.most() < low;
-}
-
 bool is_regular(const Tricubic& f, double low, double high, double margin) {
-  return avoids(f, low, high) || is_monotone(slopes_of(f), margin);
+  const Lanes values = values_of(f);
+  return values.least() > high || values.most() < low || is_monotone(slopes_of(f), margin);
 }
 
 }  // namespace isobench

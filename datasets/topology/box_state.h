@@ -18,13 +18,10 @@ struct BoxState {
   std::uint8_t inside = 0;  ///< bit x + 2y + 4z: f > 0 at that corner
 };
 
-/// Values within `margin` of zero count as zero, slopes within it as flat.
+/// Values within `margin` of zero count as zero, and so do differences of neighbouring coefficients.
 BoxState examine(const Tricubic& f, double margin);
 
-/// Whether no point of the box has both a value from `low` to `high` and a gradient of zero.
+/// Whether it is proven that no point of the box has both a value from `low` to `high` and a gradient of zero.
 bool is_regular(const Tricubic& f, double low, double high, double margin);
-
-/// Whether the polynomial takes no value from `low` to `high` in the box.
-bool avoids(const Tricubic& f, double low, double high);
 
 }  // namespace isobench

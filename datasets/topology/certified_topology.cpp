@@ -14,7 +14,7 @@ namespace isobench {
 
 namespace {
 
-/// What is known of the range of F.
+/// The range of the spline's coefficients.
 double range_of(const Isosurface& surface) {
   const auto [nx, ny, nz] = surface.lattice().size;
   float least = std::numeric_limits<float>::infinity();
@@ -31,53 +31,52 @@ double range_of(const Isosurface& surface) {
   return static_cast<double>(most) - static_cast<double>(least);
 }
 
-/// A node of a slab's trees. Without a slab, it is what is outside the lattice.
+/// A node of a layer's trees; without a layer, the outside of the lattice.
 struct Place {
-  const CellSlab* slab = nullptr;
+  const CellLayer* layer = nullptr;
   std::uint32_t node = 0;
   int depth = -1;
 
-  bool is_outside() const { return slab == nullptr; }
-  const TreeNode& get() const { return slab->nodes[node]; }
+  bool is_outside() const { return layer == nullptr; }
+  const TreeNode& get() const { return layer->nodes[node]; }
   bool is_leaf() const { return is_outside() || !get().is_cut; }
   bool is_without_surface() const { return !is_outside() && !get().is_cut && get().kind == BoxKind::without_surface; }
   bool is_inside(unsigned corner) const { return (get().inside >> corner & 1U) != 0; }
-  Place part(unsigned number) const { return is_leaf() ? *this : Place{slab, get().next + number, depth + 1}; }
+  Place part(unsigned number) const { return is_leaf() ? *this : Place{layer, get().next + number, depth + 1}; }
 };
 
-/// A disc: the slab's k and the number in it.
+/// A disc: the k of its layer, and its number in it.
 using Disc = std::pair<int, std::uint32_t>;
 
-struct SlabCount {
+struct LayerCount {
   std::vector<int> euler;                     // of each disc: 1, less its arcs, plus its points
   std::vector<std::pair<Disc, Disc>> joined;  // discs on both sides of an arc
   bool is_open = false;
-  int deepest = 0;
 };
 
-/// Visits every smallest face and edge that belongs to a slab exactly once, by descending at the same time into all
-/// boxes around it (the traversal of Ju, Losasso, Schaefer, Warren 2002, Dual contouring of Hermite data).
+/// Counts the arcs and points of one layer. It visits each smallest face and edge once, by descending into all boxes
+/// around it at the same time (as Ju, Losasso, Schaefer, Warren 2002, Dual contouring of Hermite data, do).
 class Counter {
  public:
-  Counter(const std::vector<CellSlab>& slabs, const std::array<int, 3>& cells, int k)
-      : slabs_(slabs), cells_(cells), k_(k) {
+  Counter(const std::vector<CellLayer>& layers, const std::array<int, 3>& cells, int k)
+      : layers_(layers), cells_(cells), k_(k) {
     const std::size_t columns = static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]);
     for (const int from : {0, 1}) {
       if (k - from < 0) continue;
       std::vector<std::int32_t>& index = index_[static_cast<std::size_t>(from)];
       index.assign(columns, -1);
-      const CellSlab& slab = slabs[static_cast<std::size_t>(k - from)];
-      for (std::size_t n = 0; n < slab.cells.size(); ++n) index[slab.cells[n]] = static_cast<std::int32_t>(n);
+      const CellLayer& layer = layers[static_cast<std::size_t>(k - from)];
+      for (std::size_t n = 0; n < layer.cells.size(); ++n) index[layer.cells[n]] = static_cast<std::int32_t>(n);
     }
-    count_.euler.assign(slabs[static_cast<std::size_t>(k)].discs, 1);
+    count_.euler.assign(layers[static_cast<std::size_t>(k)].discs, 1);
   }
 
-  SlabCount run() {
-    const CellSlab& slab = slabs_[static_cast<std::size_t>(k_)];
-    for (std::size_t n = 0; n < slab.cells.size(); ++n) {
-      const int i = static_cast<int>(slab.cells[n]) % cells_[0];
-      const int j = static_cast<int>(slab.cells[n]) / cells_[0];
-      within({&slab, slab.roots[n], 0});
+  LayerCount run() {
+    const CellLayer& layer = layers_[static_cast<std::size_t>(k_)];
+    for (std::size_t n = 0; n < layer.cells.size(); ++n) {
+      const int i = static_cast<int>(layer.cells[n]) % cells_[0];
+      const int j = static_cast<int>(layer.cells[n]) / cells_[0];
+      within({&layer, layer.roots[n], 0});
       faces_and_edges({i, j, k_});
     }
     return std::move(count_);
@@ -97,23 +96,23 @@ class Counter {
     const auto column = static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(cells_[0]);
     const std::int32_t n = index_[from][column + static_cast<std::size_t>(cell[0])];
     if (n < 0) return {{}, false};
-    const CellSlab& slab = slabs_[static_cast<std::size_t>(cell[2])];
-    return {{&slab, slab.roots[static_cast<std::size_t>(n)], 0}, true};
+    const CellLayer& layer = layers_[static_cast<std::size_t>(cell[2])];
+    return {{&layer, layer.roots[static_cast<std::size_t>(n)], 0}, true};
   }
 
-  // Each cell sees to its faces and edges on the low sides, and to those on the lattice's high border.
+  // For each cell, the faces and edges on its low sides, and those on the lattice's high border.
   void faces_and_edges(const std::array<int, 3>& cell) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto u = static_cast<std::size_t>((axis + 1) % 3);
       const auto v = static_cast<std::size_t>((axis + 2) % 3);
       const auto a = static_cast<std::size_t>(axis);
-      for (const int side : sides(cell, a)) {
+      for (int side = 0; side <= last_side(cell, a); ++side) {
         const Neighbour low = at(moved(cell, a, side - 1));
         const Neighbour high = at(moved(cell, a, side));
         if (low.has_surface && high.has_surface) face(axis, low.place, high.place);
       }
-      for (const int at_u : sides(cell, u)) {
-        for (const int at_v : sides(cell, v)) {
+      for (int at_u = 0; at_u <= last_side(cell, u); ++at_u) {
+        for (int at_v = 0; at_v <= last_side(cell, v); ++at_v) {
           std::array<Place, 4> around;
           bool has_surface = true;
           for (int q = 0; q < 4; ++q) {
@@ -126,10 +125,9 @@ class Counter {
       }
     }
   }
-  /// 0 for the low side; also 1, the high side, on the lattice's border. The low neighbours in z are of the slab
-  /// before.
-  std::vector<int> sides(const std::array<int, 3>& cell, std::size_t axis) const {
-    return cell[axis] + 1 == cells_[axis] ? std::vector<int>{0, 1} : std::vector<int>{0};
+  /// Sides are 0, the low one, and 1, the high one, which belongs to the cell only on the lattice's border.
+  int last_side(const std::array<int, 3>& cell, std::size_t axis) const {
+    return cell[axis] + 1 == cells_[axis] ? 1 : 0;
   }
   static std::array<int, 3> moved(std::array<int, 3> cell, std::size_t axis, int by) {
     cell[axis] += by;
@@ -137,7 +135,6 @@ class Counter {
   }
 
   void within(const Place& place) {
-    count_.deepest = std::max(count_.deepest, place.depth);
     if (place.is_leaf()) return;
     for (unsigned part = 0; part < 8; ++part) within(place.part(part));
     for (int axis = 0; axis < 3; ++axis) {
@@ -210,38 +207,38 @@ class Counter {
     }
   }
 
-  bool is_own(const Place& place) const { return place.slab == &slabs_[static_cast<std::size_t>(k_)]; }
+  bool is_own(const Place& place) const { return place.layer == &layers_[static_cast<std::size_t>(k_)]; }
   Disc disc(const Place& place) const { return {is_own(place) ? k_ : k_ - 1, place.get().next}; }
 
-  const std::vector<CellSlab>& slabs_;
+  const std::vector<CellLayer>& layers_;
   const std::array<int, 3> cells_;
   const int k_;
-  std::array<std::vector<std::int32_t>, 2> index_;  // of the slab itself and of the one before
-  SlabCount count_;
+  std::array<std::vector<std::int32_t>, 2> index_;  // of the layer itself and of the one before
+  LayerCount count_;
 };
 
-void count(const Isosurface& surface, const std::vector<CellSlab>& slabs, Monitor& monitor, CertifiedTopology& result) {
+void count(const Isosurface& surface, const std::vector<CellLayer>& layers, Monitor& monitor,
+           CertifiedTopology& result) {
   const std::array<int, 3>& size = surface.lattice().size;
-  std::vector<SlabCount> counts(slabs.size());
-  tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t k) {
+  std::vector<LayerCount> counts(layers.size());
+  tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t k) {
     if (monitor.is_cancelled()) return;
-    counts[k] = Counter(slabs, {size[0] - 1, size[1] - 1, size[2] - 1}, static_cast<int>(k)).run();
+    counts[k] = Counter(layers, {size[0] - 1, size[1] - 1, size[2] - 1}, static_cast<int>(k)).run();
   });
   monitor.check();
-  std::vector<std::size_t> first(slabs.size() + 1, 0);
-  for (std::size_t k = 0; k < slabs.size(); ++k) first[k + 1] = first[k] + slabs[k].discs;
+  std::vector<std::size_t> first(layers.size() + 1, 0);
+  for (std::size_t k = 0; k < layers.size(); ++k) first[k + 1] = first[k] + layers[k].discs;
   UnionFind pieces(first.back());
   const auto number = [&first](const Disc& disc) {
     return static_cast<std::uint32_t>(first[static_cast<std::size_t>(disc.first)] + disc.second);
   };
-  for (const SlabCount& of_slab : counts) {
-    for (const auto& [a, b] : of_slab.joined) pieces.unite(number(a), number(b));
-    result.is_open = result.is_open || of_slab.is_open;
-    result.deepest = std::max(result.deepest, of_slab.deepest);
+  for (const LayerCount& of_layer : counts) {
+    for (const auto& [a, b] : of_layer.joined) pieces.unite(number(a), number(b));
+    result.is_open = result.is_open || of_layer.is_open;
   }
   std::vector<std::uint32_t> component(first.back(), 0);
-  for (std::size_t k = 0; k < slabs.size(); ++k) {
-    for (std::uint32_t d = 0; d < slabs[k].discs; ++d) {
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    for (std::uint32_t d = 0; d < layers[k].discs; ++d) {
       const std::uint32_t n = number({static_cast<int>(k), d});
       const std::uint32_t root = pieces.find(n);
       if (root == n) {
@@ -254,38 +251,36 @@ void count(const Isosurface& surface, const std::vector<CellSlab>& slabs, Monito
     }
   }
   for (const SurfaceComponent& of : result.components) result.euler += of.euler;
-  result.boxes = first.back();
 }
 
 /// Rounding: 64 coefficients and few operations a cut, in double precision.
 constexpr double margin_of_range = 1e-13;
 
-bool count_at(const Isosurface& surface, double value, double margin, const CutRule& rule, Monitor& monitor,
+bool count_at(const Isosurface& surface, double value, double margin, double cut_at, Monitor& monitor,
               CertifiedTopology& result) {
-  const std::vector<CellSlab> slabs = subdivide(surface, -value, margin, rule, true, monitor);
-  if (std::any_of(slabs.begin(), slabs.end(), [](const CellSlab& slab) { return !slab.undecided.empty(); }))
-    return false;
+  const auto layers = subdivide(surface, -value, margin, cut_at, monitor);
+  if (!layers) return false;
   result.is_regular = true;
   result.counted_at = value;
-  count(surface, slabs, monitor, result);
+  count(surface, *layers, monitor, result);
   return true;
 }
 
 }  // namespace
 
-CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, const CutRule& rule) {
+CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, double cut_at) {
   CertifiedTopology result;
   const double range = range_of(surface);
   const double margin = margin_of_range * range;
-  if (count_at(surface, 0.0, margin, rule, monitor, result)) return result;
-  // Zeros at corners or along faces of the lattice, or a critical point. In a band around 0 without critical values all
-  // values have the same topology, and the first kind is left behind.
+  if (count_at(surface, 0.0, margin, cut_at, monitor, result)) return result;
+  // Either f is zero at corners of boxes or touches their faces, or 0 is a critical value. If a band around 0 has no
+  // critical value, the surfaces of all its values have the same topology, and most of them avoid corners and faces.
   for (const double width : {1e-6, 1e-8, 1e-10}) {
     const double band = width * range;
-    result.singular = singular_boxes(surface, -band, band, margin, rule, monitor);
+    result.singular = singular_boxes(surface, -band, band, margin, cut_at, monitor);
     if (!result.singular.empty()) continue;
     for (const double part : {0.618, -0.618, 0.377, -0.377, 0.854, -0.854, 0.146, -0.146}) {
-      if (count_at(surface, part * band, margin, rule, monitor, result)) return result;
+      if (count_at(surface, part * band, margin, cut_at, monitor, result)) return result;
     }
   }
   return result;

@@ -2,15 +2,16 @@
 //
 // In a lattice cell F is a tricubic polynomial, and its Bernstein coefficients bound it and its derivatives. Cells are
 // cut into eight until it is proven of every box that
-//   1. F on the box has no zero of f = F − c, or rises strictly in a fixed direction;
-//   2. so does F on each of its six faces, in a direction within the face, and on each of its twelve edges;
+//   1. f = F − c has no zero in the box, or rises strictly in a fixed direction;
+//   2. the same holds on each of its six faces, for a direction within the face, and on each of its twelve edges;
 //   3. f is not zero at its corners;
 //   4. no face has its inside corners on a diagonal, and the inside corners are one piece along the box's edges, as are
 //      the outside ones.
-// By 2 and 3, F = c crosses an edge exactly if its ends differ in sign, and a face in arcs that join such edges; by 4
-// these arcs are one loop on the boundary of the box. By 1, F = c in the box is a graph over a plane whose boundary is
-// that loop: one disc. So the discs, the arcs in the faces and the points on the edges of the subdivision are a cell
-// complex of the surface, with each face and edge taken as small as boxes of different depth divide it:
+// By 2 and 3, F = c crosses an edge once if its ends differ in sign, else not at all, and it crosses a face in arcs
+// that join such edges. By 4, these arcs form one loop on the boundary of the box. By 1, F = c in the box is a graph
+// over a part of a plane, and its boundary is that loop: it is one disc. So the discs in the boxes, the arcs in the
+// faces and the points on the edges form a cell complex of the surface. Where boxes of different depth meet, the faces
+// and edges of the smaller ones count:
 //
 //     χ = points − arcs + discs.
 //
@@ -28,27 +29,25 @@ namespace isobench {
 /// One connected piece of F = c.
 struct SurfaceComponent {
   long euler = 0;
-  std::size_t boxes = 0;  ///< in how many boxes it is
+  std::size_t boxes = 0;  ///< the number of boxes that it passes
 };
 
 struct CertifiedTopology {
-  /// If false, c is no regular value: there are points where f = 0 and ∇F = 0 to within rounding, in the boxes of
-  /// `singular`, and nothing else is set.
+  /// If false, nothing was proven, and only `singular` is set: c is not a regular value, or too near to one.
   bool is_regular = false;
-  std::vector<Box> singular;  ///< at most one per lattice cell
+  /// Small boxes, at most one for each lattice cell, in which f and ∇F are zero to within rounding.
+  std::vector<CellBox> singular;
 
   long euler = 0;
   std::vector<SurfaceComponent> components;
-  /// Whether F = c leaves the lattice; χ is then that of a surface with a boundary.
+  /// Whether F = c leaves the lattice. χ is then that of a surface with a boundary.
   bool is_open = false;
-  /// The topology was counted at f = this value, because F − c is zero at corners of the lattice or along its faces.
-  /// There is no critical value between 0 and this value.
+  /// Not 0 if F − c is zero at corners of boxes: the topology is then that of f = this value. No critical value of F
+  /// lies between 0 and it. (On the lattice's border F is not looked at for critical values, which matters if is_open.)
   double counted_at = 0.0;
-  std::size_t boxes = 0;  ///< with a disc
-  int deepest = 0;        ///< number of cuts of the smallest box
 };
 
-/// Threads: all. The result does not depend on their number.
-CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, const CutRule& rule = {});
+/// `cut_at`: see usual_cut. Throws Cancelled. Threads: all; the result does not depend on their number.
+CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, double cut_at = usual_cut);
 
 }  // namespace isobench

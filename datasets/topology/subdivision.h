@@ -11,43 +11,39 @@
 
 namespace isobench {
 
-struct CutRule {
-  double at = usual_cut;  ///< see usual_cut
-  int deepest = 24;       ///< how often a cell is cut at most; a box then is 6e-8 cells wide
-};
-
-/// A part of a lattice cell, from its path of cuts.
-struct Box {
-  Eigen::Vector3d low;   ///< lattice frame, mm
-  Eigen::Vector3d high;  ///< lattice frame, mm
-  int depth = 0;         ///< number of cuts
-};
+/// How often a cell is cut at most. A box then is 6e-8 cells wide.
+inline constexpr int most_cuts = 24;
 
 /// A box of a tree: a leaf, or eight parts.
 struct TreeNode {
-  std::uint32_t next = 0;  ///< the first of eight parts; for a leaf with a disc, its number in the slab
+  std::uint32_t next = 0;  ///< the first of eight parts; for a leaf with a disc, the disc's number in the layer
   BoxKind kind = BoxKind::without_surface;
-  std::uint8_t inside = 0;
+  std::uint8_t inside = 0;  ///< see BoxState
   bool is_cut = false;
 };
 
 /// The trees of the cells with the same k.
-struct CellSlab {
+struct CellLayer {
   std::vector<TreeNode> nodes;
   std::vector<std::uint32_t> cells;  ///< i + j · (size[0] − 1) of the cells that F = c crosses, ascending
-  std::vector<std::uint32_t> roots;  ///< the node of each
+  std::vector<std::uint32_t> roots;  ///< the node of each of these cells
   std::uint32_t discs = 0;
-  std::vector<Box> undecided;  ///< at most one per cell
 };
 
-/// Cuts all cells. One slab for each k from 0 to size[2] − 2. With `stop_early`, the first undecided box ends the work,
-/// and the slabs are not complete. Cost: 5 µs of one thread for each cell that F = c may cross.
-std::vector<CellSlab> subdivide(const Isosurface& surface, double offset, double margin, const CutRule& rule,
-                                bool stop_early, Monitor& monitor);
+/// Cuts the cells for f + `offset`, at `cut_at` (see usual_cut): one layer for each k from 0 to size[2] − 2.
+/// std::nullopt if a box is still undecided after most_cuts cuts. Throws Cancelled. Threads: all.
+std::optional<std::vector<CellLayer>> subdivide(const Isosurface& surface, double offset, double margin, double cut_at,
+                                                Monitor& monitor);
 
-/// Boxes that may hold a point with a gradient of zero and a value of f from `low` to `high`, at most one per cell;
-/// none if it is proven that there is no such point.
-std::vector<Box> singular_boxes(const Isosurface& surface, double low, double high, double margin, const CutRule& rule,
-                                Monitor& monitor);
+/// A part of a lattice cell, in the lattice frame, mm.
+struct CellBox {
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+};
+
+/// Small boxes, at most one for each cell, that may hold a point with a gradient of zero and a value of f from `low` to
+/// `high`. If there is none, it is proven that there is no such point. Throws Cancelled. Threads: all.
+std::vector<CellBox> singular_boxes(const Isosurface& surface, double low, double high, double margin, double cut_at,
+                                    Monitor& monitor);
 
 }  // namespace isobench
