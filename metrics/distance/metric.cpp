@@ -21,6 +21,11 @@ FigureDeclaration distance(const std::string& name, const std::string& unit, con
   return {.name = name, .unit = unit, .definition = definition, .better = Better::smaller, .column = column};
 }
 
+FigureDeclaration mean(FigureDeclaration figure) {
+  figure.unmeasured = "the mesh has no area";
+  return figure;
+}
+
 }  // namespace
 
 Metric metric_distance() {
@@ -29,18 +34,19 @@ Metric metric_distance() {
   metric.needs = Needs::surface;
   metric.in_every_record = true;
   metric.figures = {
-      distance("distance_mean", "mm",
-               "Mean distance of the mesh to the surface F = c, weighted by area. It is taken at the corners, edge "
-               "midpoints and centroid of each triangle: from each of these points, Newton's steps along the gradient "
-               "go to the surface, and the distance is that to the point reached. If they do not reach the surface, it "
-               "is |F − c|/|∇F|, at most the diagonal of the volume.",
-               29),
+      mean(distance(
+          "distance_mean", "mm",
+          "Mean distance of the mesh to the surface F = c, weighted by area. It is taken at the corners, edge "
+          "midpoints and centroid of each triangle: from each of these points, Newton's steps along the gradient "
+          "go to the surface, and the distance is that to the point reached. If they do not reach the surface, it "
+          "is |F − c|/|∇F|, at most the diagonal of the volume.",
+          29)),
       distance("distance_max", "mm", "Largest distance to the surface F = c, over the points of distance_mean.", 30),
       distance("distance_vertex_max", "mm",
                "Largest distance of a vertex to the surface F = c. Vertices without a triangle do not count.",
                no_column),
-      distance("distance_mean_voxels", "voxels",
-               "distance_mean in voxels. A voxel is the geometric mean of the lattice's spacings.", no_column),
+      mean(distance("distance_mean_voxels", "voxels",
+                    "distance_mean in voxels. A voxel is the geometric mean of the lattice's spacings.", no_column)),
       distance("distance_max_voxels", "voxels", "distance_max in voxels.", no_column),
       {.name = "distance_unprojected",
        .definition = "Number of points from which Newton's steps did not reach the surface. Their distance is "
@@ -48,9 +54,6 @@ Metric metric_distance() {
        .kind = Kind::count,
        .better = Better::smaller,
        .column = no_column}};
-  for (FigureDeclaration& figure : metric.figures) {
-    if (figure.name.starts_with("distance_mean")) figure.unmeasured = "the mesh has no area";
-  }
   metric.measure = measure;
   return metric;
 }

@@ -26,6 +26,7 @@ FigureDeclaration percent(const std::string& name, const std::string& which, int
           .unit = "%",
           .definition = "Vertices with " + which + " edges, as a percentage of the vertices that have a triangle.",
           .better = better,
+          .unmeasured = no_edges,
           .column = column};
 }
 
@@ -45,15 +46,13 @@ Metric metric_valence() {
                      .definition = "Number of vertices with fewer than five or more than seven edges.",
                      .kind = Kind::count,
                      .better = Better::smaller,
+                     .unmeasured = no_edges,
                      .column = 13},
                     {.name = "unused_vertices",
                      .definition = "Number of vertices without a triangle. The valences leave them out.",
                      .kind = Kind::count,
                      .better = Better::smaller,
                      .column = no_column}};
-  for (FigureDeclaration& figure : metric.figures) {
-    if (figure.name != "unused_vertices") figure.unmeasured = no_edges;
-  }
   metric.figures[2].definition += " A regular mesh has valence 6.";
   metric.histograms = {{.name = "valence"}};
   metric.measure = measure;
