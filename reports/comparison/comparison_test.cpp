@@ -38,14 +38,16 @@ TEST(Compare, SecondsMemoryAndCircumstancesAreNoDifference) {
     record.notes = {"read from elsewhere"};
     record.dataset->source = "elsewhere";
     record.request.label = "renamed";
+    record.request.aside = true;
     record.request.limit_minutes = 30.0;
   }
   const Comparison comparison = compare(a, b);
   EXPECT_TRUE(comparison.same());
   EXPECT_EQ(comparison.matched, 2U);
-  EXPECT_EQ(comparison_text(comparison),
-            "2 runs are the same on both sides, except for seconds and memory (other circumstances: commit, dataset "
-            "source, label, libraries/VTK, limit_minutes, notes; -v shows them).\n");
+  EXPECT_EQ(
+      comparison_text(comparison),
+      "2 runs are the same on both sides, except for seconds and memory (other circumstances: aside, commit, dataset "
+      "source, label, libraries/VTK, limit_minutes, notes; -v shows them).\n");
   const std::string full = comparison_text(comparison, Detail::full);
   EXPECT_NE(full.find("| 5.25   | 8.00   | 1.52  | 321"), std::string::npos) << full;
   EXPECT_NE(full.find("| commit         | abcdef"), std::string::npos) << full;
