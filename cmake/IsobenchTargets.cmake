@@ -22,7 +22,8 @@ function(isobench_precompile target name)
   endif()
 endfunction()
 
-# isobench_compile_quickly(target): for code that computes little, which takes longer to optimise than optimising saves.
+# isobench_compile_quickly(target): compiles at -O1, for code that computes little: there, more optimisation would cost
+# more time than it saves.
 function(isobench_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
   isobench_precompile(${target} isobench_precompiled_light)
