@@ -37,51 +37,24 @@ struct Lanes {
   double most() const { return std::max(std::max(high[0], high[1]), std::max(high[2], high[3])); }
 };
 
-/// Bounds of a derivative, and its mean.
-struct Slope {
-  double least = 0.0;
-  double most = 0.0;
-  double mean = 0.0;
-
-  bool has_sign(double margin) const { return least > margin || most < -margin; }
-};
-
-double sum(const Double4& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
-
-/// Whether the function rises strictly along one of the axes or along its mean gradient g: Σ g·∂f is bounded by the
-/// bounds of the partial derivatives.
-template <std::size_t axes>
-bool is_monotone(const std::array<Slope, axes>& slopes, double margin) {
-  double rise = 0.0;
-  double scale = 0.0;
-  for (const Slope& slope : slopes) {
-    if (slope.has_sign(margin)) return true;
-    rise += slope.mean * (slope.mean > 0.0 ? slope.least : slope.most);
-    scale += std::abs(slope.mean);
-  }
-  return rise > margin * scale && scale > 0.0;
+/// Whether the function whose differences these are rises strictly, or falls strictly.
+bool has_sign(const Lanes& differences, double margin) {
+  return differences.least() > margin || differences.most() < -margin;
 }
 
-std::array<Slope, 3> slopes_of(const Tricubic& f) {
+bool is_monotone(const Tricubic& f, double margin) {
   const double* b = f.b.data();
-  Double4 first = differences(load(b));
-  Lanes x(first);
+  Lanes x(differences(load(b)));
   for (std::size_t n = 4; n < 64; n += 4) x.add(differences(load(b + n)));
+  if (has_sign(x, margin)) return true;
   Lanes y(load(b + 4) - load(b));
-  for (std::size_t n = 0; n < 64; n += 4) {
+  for (std::size_t n = 4; n < 64; n += 4) {
     if (n % 16 != 12) y.add(load(b + n + 4) - load(b + n));
   }
+  if (has_sign(y, margin)) return true;
   Lanes z(load(b + 16) - load(b));
   for (std::size_t n = 4; n < 48; n += 4) z.add(load(b + n + 16) - load(b + n));
-  // The inner differences cancel in the sums.
-  double along_x = 0.0;
-  for (std::size_t n = 0; n < 64; n += 4) along_x += b[n + 3] - b[n];
-  Double4 along_y{};
-  for (std::size_t n = 0; n < 64; n += 16) along_y += load(b + n + 12) - load(b + n);
-  Double4 along_z{};
-  for (std::size_t n = 0; n < 16; n += 4) along_z += load(b + n + 48) - load(b + n);
-  return {Slope{x.least(), x.most(), along_x / 48.0}, Slope{y.least(), y.most(), sum(along_y) / 48.0},
-          Slope{z.least(), z.most(), sum(along_z) / 48.0}};
+  return has_sign(z, margin);
 }
 
 /// The 4 × 4 coefficients of a face.
@@ -108,13 +81,11 @@ bool is_regular_face(const Face& face, double margin) {
   if (values.least() > margin || values.most() < -margin) return true;
   Lanes u(differences(face[0]));
   for (std::size_t m = 1; m < 4; ++m) u.add(differences(face[m]));
+  if (has_sign(u, margin)) return true;
   Lanes v(face[1] - face[0]);
   v.add(face[2] - face[1]);
   v.add(face[3] - face[2]);
-  double along_u = 0.0;
-  for (const Double4& line : face) along_u += line[3] - line[0];
-  return is_monotone<2>(
-      {Slope{u.least(), u.most(), along_u / 12.0}, Slope{v.least(), v.most(), sum(face[3] - face[0]) / 12.0}}, margin);
+  return has_sign(v, margin);
 }
 
 bool is_regular_edge(const double* b, std::size_t step, double margin) {
@@ -146,43 +117,6 @@ bool edges_are_regular(const Tricubic& f, double margin) {
   return true;
 }
 
-/// Whether the corners of this set that are joined along edges of the cube are one piece; true for the empty set.
-constexpr bool is_connected(unsigned corners) {
-  if (corners == 0) return true;
-  unsigned reached = corners & (~corners + 1U);
-  for (int pass = 0; pass < 8; ++pass) {
-    for (unsigned c = 0; c < 8; ++c) {
-      if ((reached >> c & 1U) == 0) continue;
-      for (unsigned axis = 1; axis < 8; axis *= 2) reached |= (1U << (c ^ axis)) & corners;
-    }
-  }
-  return reached == corners;
-}
-
-/// Whether one of the cube's faces has its inside corners on a diagonal.
-constexpr bool has_ambiguous_face(unsigned corners) {
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const unsigned a = 1U << axis;
-    const unsigned u = 1U << (axis + 1) % 3;
-    const unsigned v = 1U << (axis + 2) % 3;
-    for (const unsigned base : {0U, a}) {
-      const auto in = [&](unsigned corner) { return corners >> corner & 1U; };
-      if (in(base) == in(base | u | v) && in(base | u) == in(base | v) && in(base) != in(base | u)) return true;
-    }
-  }
-  return false;
-}
-
-/// For each set of inside corners, whether F = c meets the box's boundary in at most one loop.
-constexpr std::array<bool, 256> make_single_loop() {
-  std::array<bool, 256> table{};
-  for (unsigned corners = 0; corners < 256; ++corners) {
-    table[corners] = !has_ambiguous_face(corners) && is_connected(corners) && is_connected(~corners & 255U);
-  }
-  return table;
-}
-constexpr std::array<bool, 256> single_loop = make_single_loop();
-
 Lanes values_of(const Tricubic& f) {
   Lanes values(load(f.b.data()));
   for (std::size_t n = 4; n < 64; n += 4) values.add(load(&f.b[n]));
@@ -201,7 +135,7 @@ BoxState examine(const Tricubic& f, double margin) {
     if (!(std::abs(value) > margin)) return state;
     if (value > 0.0) state.inside = static_cast<std::uint8_t>(state.inside | 1U << corner);
   }
-  if (!single_loop[state.inside] || !is_monotone(slopes_of(f), margin) || !edges_are_regular(f, margin)) return state;
+  if (!is_monotone(f, margin) || !edges_are_regular(f, margin)) return state;
   for (int axis = 0; axis < 3; ++axis) {
     for (int side = 0; side < 2; ++side) {
       if (!is_regular_face(face_of(f, axis, side), margin)) return state;
@@ -214,7 +148,7 @@ BoxState examine(const Tricubic& f, double margin) {
 
 bool is_regular(const Tricubic& f, double low, double high, double margin) {
   const Lanes values = values_of(f);
-  return values.least() > high || values.most() < low || is_monotone(slopes_of(f), margin);
+  return values.least() > high || values.most() < low || is_monotone(f, margin);
 }
 
 }  // namespace isobench

@@ -1,17 +1,18 @@
 // The Euler characteristic and the components of F = c, proven from bounds on F instead of counted from samples.
 //
 // In a lattice cell F is a tricubic polynomial, and its Bernstein coefficients bound it and its derivatives. Cells are
-// cut into eight until it is proven of every box that
-//   1. f = F − c has no zero in the box, or rises strictly in a fixed direction;
-//   2. the same holds on each of its six faces, for a direction within the face, and on each of its twelve edges;
-//   3. f is not zero at its corners;
-//   4. no face has its inside corners on a diagonal, and the inside corners are one piece along the box's edges, as are
-//      the outside ones.
-// By 2 and 3, F = c crosses an edge once if its ends differ in sign, else not at all, and it crosses a face in arcs
-// that join such edges. By 4, these arcs form one loop on the boundary of the box. By 1, F = c in the box is a graph
-// over a part of a plane, and its boundary is that loop: it is one disc. So the discs in the boxes, the arcs in the
-// faces and the points on the edges form a cell complex of the surface. Where boxes of different depth meet, the faces
-// and edges of the smaller ones count:
+// cut into eight until every box is decided: it is proven that f = F − c has no zero in it, or that
+//   1. f rises strictly, or falls strictly, along one of the axes in the box;
+//   2. on each of its six faces, f has no zero or does so along one of the face's two axes, and the same holds on each
+//      of its twelve edges;
+//   3. f is not zero at its corners.
+// By 2 and 3, F = c crosses an edge once if its ends differ in sign, else not at all. The signs at the corners of a
+// face cannot alternate, so F = c crosses a face in one arc if they differ, else not at all. By 1, the corners inside
+// on one side of the axis are a part of those inside on the other side; so the inside corners are connected along
+// edges, and so are the outside ones, and the arcs form at most one loop on the boundary of the box. By 1, F = c in the
+// box is a graph over a part of a plane, and its boundary is that loop: it is one disc, or nothing. So the discs in the
+// boxes, the arcs in the faces and the points on the edges form a cell complex of the surface. Where boxes of different
+// depth meet, the faces and edges of the smaller ones count:
 //
 //     χ = points − arcs + discs.
 //
@@ -47,7 +48,8 @@ struct CertifiedTopology {
   double counted_at = 0.0;
 };
 
-/// `cut_at`: see usual_cut. Throws Cancelled. Threads: all; the result does not depend on their number.
+/// `cut_at`: see usual_cut. Throws Cancelled. Threads: all; the result does not depend on their number. Cost: 1 to 2 µs
+/// of one core for each cell that F = c may cross, and up to 4 µs for binary masks.
 CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, double cut_at = usual_cut);
 
 }  // namespace isobench
