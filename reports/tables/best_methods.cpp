@@ -182,13 +182,15 @@ std::vector<std::string> best_sentences(const RunGrid& runs) {
       for (const std::string& name : answer.names) ++wins[name];
     }
     if (asked == 0) continue;
+    if (asked > 1 && wins.size() == 1 && wins.begin()->second == asked) {
+      sentences.push_back(fmt::format("{}: {} on all {} data sets.", question.name, wins.begin()->first, asked));
+      continue;
+    }
     std::string text;
     for (const Variant& variant : runs.variants) {
       const auto won = wins.find(variant.name);
       if (won == wins.end()) continue;
-      const bool everywhere = asked > 1 && won->second == asked && wins.size() == 1;
-      const std::string where = everywhere ? "all" : fmt::format("{}", won->second);
-      text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, where);
+      text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, won->second);
     }
     sentences.push_back(fmt::format("{}: {} of {} data set{}.", question.name, text, asked, asked == 1 ? "" : "s"));
   }
