@@ -106,6 +106,12 @@ const std::vector<double>& MetricInput::h0() {
   return *h0_;
 }
 
+const CertifiedTopology& MetricInput::topology() {
+  if (against_.topology != nullptr) return *against_.topology;
+  if (!topology_) topology_ = certified_topology(surface(), monitor_);
+  return *topology_;
+}
+
 void MetricOutput::set(std::string_view figure, std::optional<double> value) {
   const std::size_t index = figure_index(figure);
   if (metric_of_figure(index).name != metric_.name) {
@@ -148,9 +154,8 @@ Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor&
   return measurement;
 }
 
-Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, int reference_k,
-                    Monitor& monitor) {
-  return measure(mesh, MeasuredAgainst{&surface, &sizing, reference_k}, monitor);
+Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, Monitor& monitor) {
+  return measure(mesh, MeasuredAgainst{&surface, &sizing}, monitor);
 }
 
 }  // namespace isobench

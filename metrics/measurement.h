@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
 #include "isobench/methods/sizing/sizing_field.h"
@@ -16,7 +17,7 @@ namespace isobench {
 
 /// Raised when the meaning or the value of a figure changes: stored results of another revision are not reused. A new
 /// figure does not raise it.
-inline constexpr int metrics_revision = 4;
+inline constexpr int metrics_revision = 5;
 
 /// A value or "not measured" for each declared figure. A figure may also be unknown: the program that wrote the record
 /// did not declare it yet. Names that no metric declares are mistakes in the code and throw std::logic_error.
@@ -60,7 +61,7 @@ class Measurement {
 struct MeasuredAgainst {
   const Isosurface* surface = nullptr;  ///< in whose lattice frame the mesh is
   const SizingField* sizing = nullptr;
-  int reference_k = default_reference_k;
+  const CertifiedTopology* topology = nullptr;  ///< of the surface; computed where it is not given
 };
 
 /// Measures a mesh by every metric that has what it needs, and adds data arrays for viewers to the mesh: "radius_ratio"
@@ -71,7 +72,6 @@ struct MeasuredAgainst {
 Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor);
 
 /// Against a surface and a sizing.
-Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, int reference_k,
-                    Monitor& monitor);
+Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, Monitor& monitor);
 
 }  // namespace isobench

@@ -49,7 +49,7 @@ bool fuzz_measure(std::string_view bytes) {
   return accepts([&] {
     TriangleMesh mesh = mesh_of(bytes);
     Monitor monitor;
-    const Measurement m = measure(mesh, small_ball(), SizingField(1.0), 1, monitor);
+    const Measurement m = measure(mesh, small_ball(), SizingField(1.0), monitor);
     // Whatever was measured is a finite number, by the definition of Measurement.
     for (const char* name : {"radius_ratio_min", "radius_ratio_avg", "angle_min", "angle_max", "distance_max", "area"})
       require(m.figure(name).has_value() && m.number(name) >= 0.0, "shapes and distances are numbers >= 0");

@@ -37,13 +37,12 @@ TriangleMesh torus_mesh() {
 TEST(Measurement, AllFiguresOfATorus) {
   TriangleMesh mesh = torus_mesh();
   Monitor monitor;
-  const Measurement measurement = measure(mesh, torus_surface(), SizingField(1.2), 2, monitor);
+  const Measurement measurement = measure(mesh, torus_surface(), SizingField(1.2), monitor);
   EXPECT_EQ(measurement.figure("vertices"), 3200.0);
   EXPECT_EQ(measurement.figure("triangles"), 6400.0);
   EXPECT_EQ(measurement.figure("euler"), 0.0);
   EXPECT_EQ(measurement.figure("euler_reference"), 0.0);
   EXPECT_EQ(measurement.figure("components_reference"), 1.0);
-  EXPECT_EQ(measurement.figure("reference_k"), 2.0);
   EXPECT_EQ(measurement.figure("valence_6_percent"), 100.0);
   EXPECT_GT(measurement.number("radius_ratio_min"), 0.5);
   EXPECT_LT(measurement.number("angle_max"), 110.0);
@@ -67,7 +66,7 @@ TEST(Measurement, AMeshAloneHasTheFiguresThatNeedNoSurface) {
   TriangleMesh mesh = torus_mesh();
   Monitor monitor;
   const Isosurface surface = torus_surface();
-  const Measurement whole = measure(mesh, surface, SizingField(1.2), 2, monitor);
+  const Measurement whole = measure(mesh, surface, SizingField(1.2), monitor);
   mesh.vertex_data.clear();
   const Measurement alone = measure(mesh, MeasuredAgainst{}, monitor);
   for (std::size_t n = 0; n < declared_figures().size(); ++n) {
@@ -79,7 +78,7 @@ TEST(Measurement, AMeshAloneHasTheFiguresThatNeedNoSurface) {
   EXPECT_TRUE(alone.histogram("edge_over_h0").counts.empty());
   EXPECT_EQ(mesh.vertex_data.count("h0"), 0U);
   EXPECT_EQ(mesh.vertex_data.count("distance"), 0U);
-  const Measurement unsized = measure(mesh, {.surface = &surface, .reference_k = 1}, monitor);
+  const Measurement unsized = measure(mesh, {.surface = &surface}, monitor);
   EXPECT_EQ(unsized.figure("edge_over_h0_exceed_count"), std::nullopt);
   EXPECT_EQ(unsized.figure("distance_mean"), whole.figure("distance_mean"));
 }
@@ -110,7 +109,7 @@ TEST(Measurement, AFigureThatAMeshLacksIsDeclaredAsSuch) {
   TriangleMesh collapsed = torus_mesh();
   collapsed.triangles = {{0, 0, 1}};
   Monitor monitor;
-  const Measurement measurement = measure(collapsed, torus_surface(), SizingField(1.2), 1, monitor);
+  const Measurement measurement = measure(collapsed, torus_surface(), SizingField(1.2), monitor);
   std::size_t missing = 0;
   for (std::size_t n = 0; n < declared_figures().size(); ++n) {
     if (measurement.at(n)) continue;
@@ -123,7 +122,7 @@ TEST(Measurement, AFigureThatAMeshLacksIsDeclaredAsSuch) {
 void expect_refused(TriangleMesh mesh, const std::string& part) {
   Monitor monitor;
   try {
-    measure(mesh, torus_surface(), SizingField(1.5), 1, monitor);
+    measure(mesh, torus_surface(), SizingField(1.5), monitor);
     FAIL() << "measured without complaint";
   } catch (const DataError& error) {
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
@@ -144,7 +143,7 @@ TEST(Measurement, StopsWhenCancelled) {
   TriangleMesh mesh = torus_mesh();
   Monitor monitor;
   monitor.cancel();
-  EXPECT_THROW(measure(mesh, torus_surface(), SizingField(1.5), 1, monitor), Cancelled);
+  EXPECT_THROW(measure(mesh, torus_surface(), SizingField(1.5), monitor), Cancelled);
 }
 
 // By hand, so that a figure that is no longer declared is noticed.
@@ -170,7 +169,6 @@ TEST(Measurement, HasTheFiguresOfTheFirstVersions) {
                            "components_reference",
                            "euler",
                            "euler_reference",
-                           "reference_k",
                            "boundary_edges",
                            "nonmanifold_edges",
                            "nonmanifold_vertices",

@@ -17,10 +17,6 @@
 
 namespace isobench {
 
-/// The default of reference_k: the surface's own topology is counted on a lattice this many times finer than the
-/// data's. With 3, sheets of a third of a voxel survive.
-inline constexpr int default_reference_k = 3;
-
 /// What a metric needs besides the mesh. If that is not given, the metric's figures are "not measured".
 enum class Needs {
   mesh,     ///< nothing

@@ -23,13 +23,14 @@ class MetricInput {
   const TriangleMesh& mesh() const { return mesh_; }
   const Isosurface& surface() const { return *against_.surface; }  ///< precondition: the metric needs it
   const SizingField& sizing() const { return *against_.sizing; }   ///< precondition: the metric needs it
-  int reference_k() const { return against_.reference_k; }
   Monitor& monitor() const { return monitor_; }
 
   const std::vector<HalfEdge>& half_edges();
   const MeshEdges& edges();
   /// h0 at each vertex, mm. Precondition: the metric needs the sizing. One interpolation a vertex, all threads.
   const std::vector<double>& h0();
+  /// Of the surface itself. Precondition: the metric needs the surface. For its cost see certified_topology().
+  const CertifiedTopology& topology();
 
  private:
   const TriangleMesh& mesh_;
@@ -38,6 +39,7 @@ class MetricInput {
   std::optional<std::vector<HalfEdge>> half_edges_;
   std::optional<MeshEdges> edges_;
   std::optional<std::vector<double>> h0_;
+  std::optional<CertifiedTopology> topology_;
 };
 
 /// Takes what one metric measures. Throws std::logic_error for a figure or histogram that this metric does not declare.

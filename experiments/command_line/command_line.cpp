@@ -198,11 +198,6 @@ void add_measure(CLI::App& app, CommandLine& line) {
   add(*verb, "--epsilon", measure.epsilon, "E",
       "compare edges with h0, the longest edge that this epsilon allows; needs a surface");
   add(*verb, "--floor", measure.floor, "F", fmt::format("h0 is at least F voxels (default: {})", measure.floor));
-  add(*verb, "--reference-k", measure.reference_k, "K",
-      fmt::format(
-          "count the surface's true topology on a lattice K times as fine as the volume's, 1 to 8 (default: {})",
-          measure.reference_k))
-      ->check(CLI::Range(1, 8));
   verb->add_flag("--json", measure.json, "print every figure as JSON");
   add_tables_only(*verb, line);
   add_common(*verb, line);

@@ -21,7 +21,8 @@ ChosenExperiment choose_experiment(const RunArguments& arguments) {
                        " is a folder without a config.toml, so it holds no results; give a config or a results folder");
     }
   }
-  chosen.config = read_config(config, arguments.quick ? ConfigVariant::quick : ConfigVariant::full);
+  const ConfigVariant whole = stored ? ConfigVariant::stored : ConfigVariant::full;
+  chosen.config = read_config(config, arguments.quick ? ConfigVariant::quick : whole);
   if (stored) chosen.config.name = stored->filename().string();  // not "config", the name of the stored file
   for (const std::string& setting : arguments.set) set_parameter(chosen.config, setting);
   if (!arguments.seeds.empty()) chosen.config.seeds = arguments.seeds;

@@ -109,7 +109,7 @@ TEST_F(ProgramVerbs, ARecordFromElsewhereRemovesNothingOutsideItsFolder) {
   const std::string request =
       R"({"run": "../../precious", "dataset": "torus", "dataset_checksum": "0", "method": "marching-cubes",
 "method_revision": 1, "label": "x", "parameters": {}, "epsilon": null, "delta": null, "floor_voxels": 0.5,
-"edge_length": 2.0, "vertices": null, "match_scale": 1.0, "seed": 1, "reference_k": 1, "metrics_revision": 0,
+"edge_length": 2.0, "vertices": null, "match_scale": 1.0, "seed": 1, "metrics_revision": 0,
 "limit_minutes": null, "limit_memory_gb": null})";
   folder_.write("results/x/plan.json", R"({"schema_version": 1, "runs": [)" + request + "]}");
   expect({"measure", "results/x"}, 3, "'../../precious' cannot be the name of a run's folder");
@@ -229,7 +229,7 @@ TEST_F(ProgramVerbs, MeasureOfAMeshAloneGivesWhatNeedsNoSurface) {
   EXPECT_EQ(json_value(closed, "boundary_edges"), "0");
   EXPECT_EQ(json_value(closed, "self_intersections"), "0");
   EXPECT_EQ(std::stod(json_value(closed, "angle_max")), 90.0);
-  for (const char* figure : {"distance_mean", "distance_from_surface_max", "euler_reference", "reference_k",
+  for (const char* figure : {"distance_mean", "distance_from_surface_max", "euler_reference",
                              "edge_over_h0_exceed_count", "edge_over_h0_max"}) {
     EXPECT_EQ(json_value(closed, figure), "null") << figure;
   }

@@ -50,8 +50,7 @@ int measure_file(const MeasureArguments& arguments, const CommonArguments& commo
     mesh = to_local(std::move(mesh), dataset.surface->lattice());
     if (arguments.epsilon) sizing.emplace(make_sizing_field(*dataset.surface, request, monitor));
   }
-  const Measurement measurement =
-      measure(mesh, {dataset.surface.get(), sizing ? &*sizing : nullptr, arguments.reference_k}, monitor);
+  const Measurement measurement = measure(mesh, {dataset.surface.get(), sizing ? &*sizing : nullptr}, monitor);
   console.clear();
   fmt::print("{}", arguments.json ? to_json(measurement) : summary_text(measurement));
   return 0;

@@ -12,7 +12,6 @@
 #include "isobench/experiments/command_line/surface_arguments.h"
 #include "isobench/experiments/runner/progress.h"
 #include "isobench/methods/sizing/sizing_field.h"
-#include "isobench/metrics/metric.h"
 #include "isobench/reports/record/record.h"
 
 namespace isobench {
@@ -78,7 +77,6 @@ struct MeasureArguments {
   SurfaceArguments surface;       ///< without one, only the figures that need no surface are measured
   std::optional<double> epsilon;  ///< without it, edges are not compared with h0
   double floor = 0.5;             ///< voxels
-  int reference_k = default_reference_k;
   bool json = false;
 };
 int measure_verb(const MeasureArguments& arguments, const CommonArguments& common);

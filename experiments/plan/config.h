@@ -10,7 +10,6 @@
 
 #include "isobench/foundation/error.h"
 #include "isobench/methods/parameters.h"
-#include "isobench/metrics/metric.h"
 
 namespace isobench {
 
@@ -51,7 +50,7 @@ struct MethodEntry {
 /// [[vary]]: one value changed at a time, as an ablation needs it. Without variations an experiment has its base runs;
 /// each value here adds all of them again with that one change. The change replaces the value of an override, too.
 struct Variation {
-  std::string table;   ///< "sampling", "method" or "reference": the part of the key before the first dot
+  std::string table;   ///< "sampling" or "method": the part of the key before the first dot
   std::string method;  ///< of table "method": label or name of the entries that it changes
   std::string name;    ///< the key within the table, or the parameter: the part of the key after the last dot
   std::vector<ParameterValue> values;
@@ -63,7 +62,7 @@ struct Variation {
 
 /// match = "vertices" with match_to = "…": the quality of meshes can be compared only at equal numbers of vertices. The
 /// sizing of every other run of a row is scaled until its mesh has as many as the mesh of this entry. The runs of a row
-/// have dataset, sizing, reference k, seed and repeat in common.
+/// have dataset, sizing, seed and repeat in common.
 struct Match {
   std::string to;  ///< label of a method entry
   Place place;
@@ -93,12 +92,14 @@ struct Config {
   std::optional<Match> match;
   std::vector<Aside> also;
   Limits limits;
-  std::vector<int> reference_k{default_reference_k};
   std::optional<std::filesystem::path> published;
 };
 
-/// The experiment as it is, or the smaller one that its [quick] describes.
-enum class ConfigVariant { full, quick };
+enum class ConfigVariant {
+  full,    ///< the experiment as it is
+  quick,   ///< the smaller one that its [quick] describes
+  stored,  ///< the config of a results folder, which an older version may have written
+};
 
 /// Reads and checks a config. Every mistake is a UsageError with file, line and column: unknown keys, methods, datasets
 /// and parameters (with the nearest valid name), numbers that are not finite and positive, no kind of sizing or

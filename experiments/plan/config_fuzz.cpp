@@ -12,8 +12,8 @@ namespace {
 
 /// Whether a config has so many runs that its plan takes long. Small plans find the same mistakes.
 bool is_large(const Config& config) {
-  std::size_t runs = config.seeds.size() * static_cast<std::size_t>(config.repeats) * config.reference_k.size() *
-                     (config.variations.size() + 1) * config.datasets.size();
+  std::size_t runs = config.seeds.size() * static_cast<std::size_t>(config.repeats) * (config.variations.size() + 1) *
+                     config.datasets.size();
   const auto several = [&](const Sampling& sampling) {
     for (const auto* list :
          {&sampling.epsilon, &sampling.delta, &sampling.edge_length, &sampling.vertices, &sampling.floor}) {

@@ -17,8 +17,6 @@ std::vector<TomlValue> nonempty_list(const TomlValue& value, const std::string& 
 double positive(const TomlValue& value, const std::string& what);
 /// A whole number from `least` to `most`.
 int whole_number(const TomlValue& value, const std::string& what, int least, int most);
-/// k of [reference], a whole number from 1 to 8.
-int reference_refinement(const TomlValue& value);
 /// A boolean, a number or a text.
 ParameterValue parameter_value(const TomlValue& value);
 /// A text of one printable line, as titles and labels are: they stand in tables, on pages and on terminals.

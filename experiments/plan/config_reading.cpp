@@ -62,12 +62,13 @@ void apply_quick(Config& config, const TomlValue& quick) {
   }
 }
 
-std::vector<int> read_reference_k(const TomlValue& table) {
-  table.allow_keys({"k"}, "[reference]");
-  std::vector<int> refinements;
-  for (const TomlValue& value : nonempty_list(table.require("k"), "k"))
-    refinements.push_back(reference_refinement(value));
-  return refinements;
+/// Older versions counted the topology of F = c on a lattice, and [reference] said how fine. It is in each of their
+/// results folders, and is ignored there.
+void refuse_reference(const TomlValue& document) {
+  const auto reference = document.find("reference");
+  if (!reference) return;
+  throw UsageError(reference->place(),
+                   "the topology of the surface is now proven, not counted on a lattice; remove the table [reference]");
 }
 
 std::filesystem::path read_published_path(const TomlValue& table, const std::filesystem::path& folder) {
@@ -89,6 +90,7 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "artefacts", "match", "match_to", "sampling",
                        "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
                       "an experiment");
+  if (variant != ConfigVariant::stored) refuse_reference(document);
   Config config;
   config.name = path.stem().string();
   if (!is_plain_name(config.name)) {
@@ -113,7 +115,6 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
     for (const TomlValue& table : also->as_list()) config.also.push_back(read_aside(table));
   }
   if (const auto limits = document.find("limits")) config.limits = read_limits(*limits);
-  if (const auto reference = document.find("reference")) config.reference_k = read_reference_k(*reference);
   if (const auto published = document.find("published")) {
     config.published = read_published_path(*published, path.parent_path());
   }
@@ -129,7 +130,7 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   }
   read_overrides(config, document, datasets);
   config.variations = read_variations(document, config);
-  if (variant == ConfigVariant::full) return config;
+  if (variant != ConfigVariant::quick) return config;
   if (!table)
     throw UsageError(Place{path.string()},
                      "--quick needs a [quick] table, but this config has none; add one, or leave out --quick");

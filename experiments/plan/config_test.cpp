@@ -79,7 +79,6 @@ TEST(ConfigErrors, NumbersMustBeFiniteAndPositive) {
   expect_mistake(replaced(plain, "0.5", "\"much\""), {"config.toml:3:", "number", "string"});
   expect_mistake(std::string("seed = -1\n") + plain, {"config.toml:1:", "seed is -1"});
   expect_mistake(std::string(plain) + "[limits]\nminutes = 0\n", {"config.toml:8:", "minutes is 0"});
-  expect_mistake(std::string(plain) + "[reference]\nk = 0\n", {"config.toml:8:", "k is 0"});
 }
 
 TEST(ConfigErrors, ExactlyOneKindOfSizing) {
@@ -188,14 +187,20 @@ label = "dotted.name"
 [limits]
 minutes = 20
 memory_gb = 8
-[reference]
-k = [1, 2]
 )";
   const Config config = read(text);
   const Config again = read_config(write(to_toml(config, ""), "again.toml"));
   EXPECT_EQ(again.title, "a \"quoted\" title");
   EXPECT_EQ(identity(again), identity(config));
   EXPECT_EQ(plan_to_json(make_plan(again)), plan_to_json(make_plan(config)));
+}
+
+// Older versions had a table [reference], and wrote it into the config of every results folder.
+TEST(ConfigErrors, AReferenceIsNoLongerAskedForButAnOldFolderHasIt) {
+  const std::string old = std::string(plain) + "[reference]\nk = [1, 3]\n";
+  expect_mistake(old, {"config.toml:7:", "proven", "remove the table [reference]"});
+  EXPECT_EQ(identity(read(old, ConfigVariant::stored)), identity(read(plain)));
+  EXPECT_EQ(to_toml(read(old, ConfigVariant::stored), ""), to_toml(read(plain), ""));
 }
 
 TEST(ConfigErrors, AsidesAreWholeExperiments) {
@@ -223,7 +228,7 @@ TEST(ConfigErrors, VariationsChangeWhatThereIs) {
   expect_mistake(vary("epsilon", "[1]"), {"config.toml:8:", "sampling.<key>"});
   expect_mistake(vary("method.marching-cube.x", "[1]"), {"config.toml:8:", "'marching-cubes'"});
   expect_mistake(vary("method.marching-cubes.sweeps", "[1]"), {"config.toml:8:", "sweeps"});
-  expect_mistake(vary("reference.k", "[1, 9]"), {"config.toml:9:", "k is 9"});
+  expect_mistake(vary("reference.k", "[1, 3]"), {"config.toml:8:", "[[vary]]", "sampling.<key>"});
   expect_mistake(std::string(plain) + "[[vary]]\nvalues = [1]\n", {"config.toml:7:", "key"});
   expect_mistake(replaced(vary("sampling.epsilon", "[1]"), "epsilon = 0.5", "epsilon = [0.5, 0.6]"),
                  {"config.toml:8:", "several values of epsilon", "starts from one"});

@@ -30,8 +30,6 @@ int whole_number(const TomlValue& value, const std::string& what, int least, int
   return static_cast<int>(number);
 }
 
-int reference_refinement(const TomlValue& value) { return whole_number(value, "k", 1, 8); }
-
 ParameterValue parameter_value(const TomlValue& value) {
   if (value.is_bool()) return value.as_bool();
   if (value.is_number()) return value.as_number();

@@ -11,7 +11,7 @@ namespace isobench {
 namespace {
 
 constexpr const char* rule =
-    "a [[vary]] changes sampling.<key>, method.<label>.<parameter> or reference.k, e.g. key = \"sampling.epsilon\"";
+    "a [[vary]] changes sampling.<key> or method.<label>.<parameter>, e.g. key = \"sampling.epsilon\"";
 
 UsageError several_values(const std::string& who, const Variation& variation) {
   return {variation.place, fmt::format("{} gives several values of {}, but a [[vary]] starts from one; keep one of "
@@ -65,16 +65,6 @@ void read_method_variation(const TomlValue& values, const Config& config, Variat
   }
 }
 
-void read_reference_variation(const TomlValue& values, const Config& config, Variation& variation) {
-  if (variation.name != "k") throw UsageError(variation.place, rule);
-  if (config.reference_k.size() > 1) {
-    throw several_values("[reference]", variation);
-  }
-  for (const TomlValue& element : nonempty_list(values, "values")) {
-    variation.values.emplace_back(static_cast<double>(reference_refinement(element)));
-  }
-}
-
 Variation read_variation(const TomlValue& table, const Config& config) {
   table.allow_keys({"key", "values"}, "[[vary]]");
   const TomlValue key = table.require("key");
@@ -90,10 +80,8 @@ Variation read_variation(const TomlValue& table, const Config& config) {
     read_sampling_variation(values, config, variation);
   else if (variation.table == "method")
     read_method_variation(values, config, variation);
-  else if (variation.table == "reference")
-    read_reference_variation(values, config, variation);
   else
-    throw UsageError(key.place(), std::string(rule) + suggestion(variation.table, {"sampling", "method", "reference"}));
+    throw UsageError(key.place(), std::string(rule) + suggestion(variation.table, {"sampling", "method"}));
   return variation;
 }
 

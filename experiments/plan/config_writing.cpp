@@ -19,7 +19,6 @@ std::string toml(const std::string& text) {
   return result + "\"";
 }
 std::string toml(std::uint64_t value) { return fmt::format("{}", value); }
-std::string toml(int value) { return fmt::format("{}", value); }
 std::string toml(double value) { return fmt::format("{}", value); }
 std::string toml(const ParameterValue& value) {
   if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
@@ -117,7 +116,6 @@ std::string to_toml(const Config& config, const std::string& published) {
   for (const MethodEntry& entry : config.methods) text += method_block(entry);
   for (const Aside& aside : config.also) text += aside_block(aside);
   text += block("[limits]", limit_lines(config.limits));
-  text += block("[reference]", {"k = " + toml_list(config.reference_k)});
   if (config.published) text += block("[published]", {"source = " + toml(published)});
   return text;
 }

@@ -144,7 +144,7 @@ void check_number(double runs) {
 
 double number_of_runs(const Config& config, const MethodEntry& entry, const Sampling& sampling) {
   const auto of = [](const auto& list) { return static_cast<double>(list.size()); };
-  double runs = of(config.seeds) * config.repeats * of(config.reference_k) * std::max(of(sampling.floor), 1.0);
+  double runs = of(config.seeds) * config.repeats * std::max(of(sampling.floor), 1.0);
   for (const auto& [name, values] : entry.parameters) runs *= of(values);
   return runs * (of(sampling.epsilon) * of(sampling.delta) + of(sampling.edge_length) + of(sampling.vertices));
 }
@@ -164,8 +164,6 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
   const Method& found = method(entry.name, entry.place);
   const auto [sampling, limits, artefacts] = resolve(config, dataset, entry, change);
   check_number(number_of_runs(config, entry, sampling));
-  std::vector<int> references = config.reference_k;
-  if (change.of("reference")) references = {static_cast<int>(std::get<double>(change.value))};
   RunRequest request;
   request.dataset = dataset;
   request.dataset_checksum = dataset_checksum(dataset);
@@ -182,20 +180,17 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
     request.parameters = variant.parameters.all();
     for (const SizingRequest& sizing : sizings(sampling)) {
       request.sizing = sizing;
-      for (const int reference : references) {
-        request.reference_k = reference;
-        add_seeds(config, request, runs);
-      }
+      add_seeds(config, request, runs);
     }
   }
   return runs;
 }
 
-// The candidate with the same sizing, reference k, seed and repeat; nullptr where there is none.
+// The candidate with the same sizing, seed and repeat; nullptr where there is none.
 const RunRequest* same_row(const std::vector<RunRequest>& candidates, const RunRequest& request) {
   const auto agrees = [&request](const RunRequest& other) {
     return sizing_text(other.sizing) == sizing_text(request.sizing) && other.sizing.floor == request.sizing.floor &&
-           other.reference_k == request.reference_k && other.seed == request.seed && other.repeat == request.repeat;
+           other.seed == request.seed && other.repeat == request.repeat;
   };
   const auto found = std::find_if(candidates.begin(), candidates.end(), agrees);
   return found == candidates.end() ? nullptr : &*found;
@@ -254,7 +249,6 @@ void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector
   own.seeds = aside.seeds;
   own.sampling = aside.sampling;
   own.limits = config.limits;
-  own.reference_k = {config.reference_k.front()};
   for (const std::string& dataset : aside.datasets) {
     for (const MethodEntry& entry : aside.methods) {
       std::vector<RunRequest> runs = runs_of(own, dataset, entry, Change{});
@@ -294,7 +288,7 @@ std::string result_key(const RunRequest& r) {
   key += fmt::format("epsilon {} delta {} floor {} edge_length {} vertices {}\n", text(r.sizing.epsilon),
                      text(r.sizing.delta), r.sizing.floor, text(r.sizing.edge_length), text(r.sizing.vertices));
   if (!r.match_to.empty()) key += fmt::format("match {}\n", r.match_to);
-  key += fmt::format("seed {}\nreference {}\nmetrics {}\n", r.seed, r.reference_k, r.metrics_revision);
+  key += fmt::format("seed {}\nmetrics {}\n", r.seed, r.metrics_revision);
   if (r.repeat > 1) key += fmt::format("repeat {}\n", r.repeat);
   return key;
 }

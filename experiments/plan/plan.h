@@ -10,13 +10,13 @@
 namespace isobench {
 
 /// All runs of a config, ordered by dataset first. The base has a run for each combination of dataset, method entry,
-/// values of its parameters, sampling, reference k, seed and repeat; each value of each [[vary]] adds the base again
+/// values of its parameters, sampling, seed and repeat; each value of each [[vary]] adds the base again
 /// with that change. No run comes twice. Needs no data: checksums are those that the catalogue declares. Throws
 /// UsageError where two method entries ask for the same run.
 std::vector<RunRequest> make_plan(const Config& config);
 
 /// Everything that determines the result of a run, as text: dataset and its checksum, method and its revision,
-/// parameters, sizing, match, seed, repeat, reference k, and the revision of the metrics. Limits, label and number of
+/// parameters, sizing, match, seed, repeat, and the revision of the metrics. Limits, label and number of
 /// threads do not determine it.
 std::string result_key(const RunRequest& request);
 

@@ -143,11 +143,8 @@ repeats = 3
 edge_length = 2
 [[method]]
 name = "marching-cubes"
-[[vary]]
-key = "reference.k"
-values = [1, 3]
 )");
-  ASSERT_EQ(plan.size(), 2U * 2U * 3U);
+  ASSERT_EQ(plan.size(), 2U * 3U);
   std::set<std::string> names;
   std::set<std::string> keys;
   for (const RunRequest& request : plan) {
@@ -159,8 +156,6 @@ values = [1, 3]
   EXPECT_EQ(keys.size(), plan.size());
   EXPECT_EQ(plan[2].repeat, 3);
   EXPECT_EQ(plan[2].run.rfind("torus-marching-cubes-l2-s1-r3-", 0), 0U) << plan[2].run;
-  EXPECT_EQ(plan[0].reference_k, default_reference_k);
-  EXPECT_EQ(plan[6].reference_k, 1);
 }
 
 RunRequest sample() {
@@ -197,7 +192,6 @@ TEST(RunName, HashesAllThatDeterminesTheResultAndNothingElse) {
       [](RunRequest& r) { r.match_to = "sphere-particles-l2-s1-00000000"; },
       [](RunRequest& r) { r.seed = 2; },
       [](RunRequest& r) { r.repeat = 2; },
-      [](RunRequest& r) { r.reference_k = 4; },
       [](RunRequest& r) { r.metrics_revision = 99; },
   };
   std::set<std::string> tails = {run_name(sample()).substr(run_name(sample()).size() - 8)};

@@ -142,7 +142,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     sizing = task.sizing_field(monitor);
     record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
   }
-  record.measurement = measure(result, {dataset.surface.get(), sizing.get(), request.reference_k}, monitor);
+  record.measurement = measure(result, {dataset.surface.get(), sizing.get()}, monitor);
   return result;
 }
 

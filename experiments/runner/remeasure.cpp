@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
 #include "isobench/experiments/runner/store.h"
@@ -20,12 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The dataset and the sizing field of the present run. Runs are sorted so that each of these is made once.
+// Dataset, topology and sizing field of the present run. Runs are sorted so that each of these is made once.
 class Surfaces {
  public:
   const Dataset& dataset(const RunRequest& request, Monitor& monitor) {
     if (dataset_.surface == nullptr || name_ != request.dataset) {
       field_.reset();
+      topology_.reset();
       name_ = request.dataset;
       dataset_ = load_dataset(request.dataset, monitor);
     }
@@ -42,12 +44,18 @@ class Surfaces {
     }
     return *field_;
   }
+  const CertifiedTopology& topology(const RunRequest& request, Monitor& monitor) {
+    const Dataset& of = dataset(request, monitor);
+    if (!topology_) topology_ = certified_topology(*of.surface, monitor);
+    return *topology_;
+  }
 
  private:
   std::string name_;
   Dataset dataset_;
   std::string key_;
   std::optional<SizingField> field_;
+  std::optional<CertifiedTopology> topology_;
 };
 
 TriangleMesh stored_mesh(const fs::path& path, const RunRecord& record) {
@@ -66,7 +74,7 @@ void measure_again(RunRecord& record, TriangleMesh& mesh, Surfaces& surfaces, Mo
   const Dataset& dataset = surfaces.dataset(request, monitor);
   const SizingField& sizing = surfaces.field(request, monitor);
   TriangleMesh local = to_local(mesh, dataset.surface->lattice());
-  record.measurement = measure(local, *dataset.surface, sizing, request.reference_k, monitor);
+  record.measurement = measure(local, {dataset.surface.get(), &sizing, &surfaces.topology(request, monitor)}, monitor);
   record.sizing = SizingRecord{sizing.uniform(), sizing.floor_length(), sizing.smallest(), sizing.largest()};
   record.measured_again = measured_now();
   mesh.vertex_data = std::move(local.vertex_data);

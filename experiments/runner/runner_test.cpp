@@ -252,7 +252,7 @@ TEST(Runner, TwoConfigsOfOneNameDoNotMix) {
   const TestFolder folder;
   folder.write("two.toml", two_datasets);
   ASSERT_EQ(run_program(folder.path(), {"run", "two.toml", "--only", "slab/*"}).code, 0);
-  folder.write("two.toml", std::string(two_datasets) + "[reference]\nk = 4\n");
+  folder.write("two.toml", std::string(two_datasets) + "[[vary]]\nkey = \"sampling.delta\"\nvalues = 0.25\n");
   const Outcome refused = run_program(folder.path(), {"run", "two.toml"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("another config"), std::string::npos) << refused.err;
@@ -260,6 +260,34 @@ TEST(Runner, TwoConfigsOfOneNameDoNotMix) {
   // Different limits do not make another experiment.
   folder.write("two.toml", std::string(two_datasets) + "[limits]\nminutes = 9\n");
   EXPECT_EQ(run_program(folder.path(), {"run", "two.toml", "--only", "slab/*"}).code, 0);
+}
+
+// Its config and its plan say how fine the lattice was on which the topology of F = c was counted.
+TEST(Runner, AFolderOfAnOlderVersionIsReportedAndContinued) {
+  const TestFolder folder;
+  folder.write("two.toml", two_datasets);
+  ASSERT_EQ(run_program(folder.path(), {"run", "two.toml"}).code, 0);
+  const fs::path results = folder.path() / "results" / "two";
+  std::ofstream(results / "config.toml", std::ios::app) << "\n[reference]\nk = 3\n";
+  const auto make_old = [](const fs::path& file) {
+    std::string text = read_text(file);
+    for (std::size_t at = 0; (at = text.find("\"metrics_revision\"", at)) != std::string::npos; at += 40)
+      text.insert(at, "\"reference_k\": 3, ");
+    write_text(file, text);
+    return text.find("\"reference_k\"") != std::string::npos;
+  };
+  EXPECT_TRUE(make_old(results / "plan.json"));
+  for (const char* dataset : {"sphere", "slab"}) EXPECT_TRUE(make_old(run_folder(results, dataset) / "run.json"));
+  const Outcome report = run_program(folder.path(), {"report", "results/two"});
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_NE(report.out.find("| slab"), std::string::npos) << report.out;
+  EXPECT_EQ(run_program(folder.path(), {"compare", "results/two", "results/two"}).code, 0);
+  for (const char* config : {"two.toml", "results/two"}) {
+    const Outcome again = run_program(folder.path(), {"run", config});
+    EXPECT_EQ(again.code, 0) << again.err;
+  }
+  EXPECT_EQ(read_text(results / "config.toml").find("reference"), std::string::npos);
+  EXPECT_EQ(read_text(results / "plan.json").find("reference_k"), std::string::npos);
 }
 
 TEST(Runner, ADamagedRecordCostsOnlyItself) {

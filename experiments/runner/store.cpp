@@ -124,7 +124,7 @@ void check_folder(const fs::path& folder, const Config& config) {
   const std::string remedy = "rename the config, give another --out, or remove that folder";
   std::string theirs;
   try {
-    theirs = identity(read_config(stored));
+    theirs = identity(read_config(stored, ConfigVariant::stored));
   } catch (const Error& error) {
     throw UsageError(folder.string() + " was made from a config that this program cannot read (" + error.what() +
                      "); " + remedy);

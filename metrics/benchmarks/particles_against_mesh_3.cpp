@@ -128,7 +128,7 @@ void print_quality(std::vector<Contestant>& contestants, const Isosurface& surfa
   for (Contestant& contestant : contestants) {
     if (contestant.last.triangles.empty()) continue;
     Monitor monitor;
-    const Measurement m = measure(contestant.last, surface, sizing, default_reference_k, monitor);
+    const Measurement m = measure(contestant.last, surface, sizing, monitor);
     fmt::print(
         "{:28} {:>8} {:>14} {:>14} {:>12.2f} {:>11} {:>12} {:>22} {:>24}{}\n", contestant.name, m.number("vertices"),
         fmt::format("{:.3f} / {:.4f}", m.number("radius_ratio_min"), m.number("radius_ratio_avg")),

@@ -37,7 +37,7 @@ TEST_P(AdvancingFrontOnVolumes, ClosesAndReachesThePapersRegime) {
   const Method& method = isobench::method("advancing-front");
   const MeshingTask task(*dataset.surface, sizing, Parameters(method.parameters), 1);
   TriangleMesh mesh = method.mesh(task, monitor);
-  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), 1, monitor);
+  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), monitor);
 
   EXPECT_EQ(monitor.counters().at("advancing-front/open holes"), 0.0);
   EXPECT_EQ(found.number("boundary_edges"), 0.0);

@@ -28,7 +28,7 @@ Measurement measured(const std::string& name, const std::map<std::string, Parame
   const MeshingTask task(*skull_small(), sizing, std::move(parameters), 1);
   Monitor monitor;
   TriangleMesh mesh = method.mesh(task, monitor);
-  return measure(mesh, *skull_small(), *task.sizing_field(monitor), 1, monitor);
+  return measure(mesh, *skull_small(), *task.sizing_field(monitor), monitor);
 }
 
 void expect_both_shells(const Measurement& found, double average) {

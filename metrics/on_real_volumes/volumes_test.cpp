@@ -48,7 +48,7 @@ TEST_P(ParticlesOnVolumes, ReachThePapersRegime) {
   const Method& particles = method("particles");
   const MeshingTask task(*dataset.surface, sizing, Parameters(particles.parameters), 1);
   TriangleMesh mesh = particles.mesh(task, monitor);
-  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), default_reference_k, monitor);
+  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), monitor);
 
   expect_good_triangles(found);
   EXPECT_GE(found.number("radius_ratio_min"), 0.84);
@@ -71,7 +71,7 @@ TEST_F(UniformParticlesOnVolumes, ReachWhatNoPeerDoes) {
   const Method& particles = method("particles");
   const MeshingTask task(*dataset.surface, sizing, Parameters(particles.parameters), 1);
   TriangleMesh mesh = particles.mesh(task, monitor);
-  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), 1, monitor);
+  const Measurement found = measure(mesh, *dataset.surface, *task.sizing_field(monitor), monitor);
   expect_good_triangles(found);
   EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 50000.0, 500.0);
   EXPECT_GE(found.number("radius_ratio_min"), 0.85);

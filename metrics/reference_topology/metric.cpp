@@ -1,15 +1,17 @@
 #include "isobench/metrics/metric_input.h"
-#include "isobench/metrics/reference_topology/reference_topology.h"
 
 namespace isobench {
 namespace {
 
 void measure(MetricInput& input, MetricOutput& output) {
-  const ReferenceTopology topology = reference_topology(input.surface(), input.reference_k(), input.monitor());
-  output.set("components_reference", static_cast<double>(topology.components));
+  const CertifiedTopology& topology = input.topology();
+  // χ of a surface that ends at the lattice's border is not what a closed mesh should have.
+  if (!topology.is_regular || topology.is_open) return;
+  output.set("components_reference", static_cast<double>(topology.components.size()));
   output.set("euler_reference", static_cast<double>(topology.euler));
-  output.set("reference_k", topology.k);
 }
+
+constexpr const char* unmeasured = "the surface leaves the volume, or c is a critical value of F or too near to one";
 
 }  // namespace
 
@@ -21,24 +23,20 @@ Metric metric_reference_topology() {
   metric.in_every_record = true;
   metric.figures = {
       {.name = "components_reference",
-       .definition = "Connected components of the surface F = c itself, counted without any mesh. The count takes the "
-                     "signs of F − c on a lattice that is refined reference_k times, and further around critical "
-                     "points of F, and cuts its cells into Kuhn tetrahedra.",
+       .definition = "Connected components of the surface F = c itself, proven without a mesh or samples: bounds on F "
+                     "from its Bernstein coefficients show that the surface is one disc, or nothing, in each of many "
+                     "boxes. Discs that share an edge are connected.",
        .kind = Kind::count,
        .compared = Compared::exactly,
+       .unmeasured = unmeasured,
        .column = 21},
       {.name = "euler_reference",
-       .definition = "Euler characteristic of the surface F = c itself: edges − triangles + tetrahedra whose corners "
-                     "differ in the sign of F − c, on the same refined lattice as components_reference. The outermost "
-                     "two layers of nodes count as outside.",
+       .definition = "Euler characteristic of the surface F = c itself, proven as components_reference is: points on "
+                     "the edges of the boxes − arcs on their faces + discs in them.",
        .kind = Kind::integer,
        .compared = Compared::exactly,
-       .column = 23},
-      {.name = "reference_k",
-       .definition = "How many times finer the lattice of the reference count is than the data's lattice.",
-       .kind = Kind::count,
-       .compared = Compared::exactly,
-       .column = 24}};
+       .unmeasured = unmeasured,
+       .column = 23}};
   metric.measure = measure;
   return metric;
 }

@@ -32,7 +32,7 @@ struct TrendSeries {
     const RunRequest& b = run.request;
     return a.dataset == b.dataset && a.dataset_checksum == b.dataset_checksum && a.method == b.method &&
            a.method_revision == b.method_revision && a.label == b.label && a.parameters == b.parameters &&
-           a.match_to == b.match_to && a.reference_k == b.reference_k && a.sizing.floor == b.sizing.floor &&
+           a.match_to == b.match_to && a.sizing.floor == b.sizing.floor &&
            parameter(*runs.front(), other_than(varied)) == parameter(run, other_than(varied));
   }
 

@@ -162,12 +162,12 @@ TEST(Compare, RunsOfOneSideSayWhy) {
             "pelvis-particles-e0.5-d0.3-s1-ffffffff is there instead; they differ in method_revision: 7 and 1");
   EXPECT_EQ(comparison.only_a[1].why, "not done there");
   b.missing[0].run = "skull-particles-e0.5-d0.3-s1-eeeeeeee";
-  a.records[1].request.reference_k = 1;
-  b.missing[0].reference_k = 4;
+  a.records[1].request.metrics_revision = 4;
+  b.missing[0].metrics_revision = 5;
   EXPECT_EQ(
       compare(a, b).only_a[1].why,
-      "skull-particles-e0.5-d0.3-s1-eeeeeeee is planned there instead, but not done; they differ in reference_k: 1 "
-      "and 4");
+      "skull-particles-e0.5-d0.3-s1-eeeeeeee is planned there instead, but not done; they differ in metrics_revision: "
+      "4 and 5");
   const std::string text = comparison_text(comparison);
   EXPECT_NE(text.find("No run is in both, 2 runs only in A, 1 run only in B; 1 planned run done on neither side."),
             std::string::npos)

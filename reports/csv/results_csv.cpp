@@ -54,8 +54,7 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
                                             {"host", record.environment.host},
                                             {"exclusive", record.environment.exclusive ? "true" : "false"},
                                             {"status", to_string(record.status)},
-                                            {"reason", record.reason},
-                                            {"reference_k", fmt::format("{}", request.reference_k)}};
+                                            {"reason", record.reason}};
   if (record.measurement) {
     for (std::size_t n = 0; n < declared_figures().size(); ++n) {
       const FigureDeclaration& figure = declared_figures()[n];

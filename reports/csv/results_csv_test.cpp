@@ -47,7 +47,7 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "valence_5_percent,valence_6_percent,valence_7_percent,valence_gt7_percent,valence_extreme_count,"
             "edge_over_h0_max,edge_over_h0_exceed_percent,edge_over_h0_exceed_count,edge_over_own_h0_max,"
             "edge_over_own_h0_exceed_percent,floor_area_percent,components,"
-            "components_reference,euler,euler_reference,reference_k,boundary_edges,nonmanifold_edges,"
+            "components_reference,euler,euler_reference,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
             "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume");

@@ -51,7 +51,6 @@ Json request_to_json(const RunRequest& r) {
           {"alone", r.alone},
           {"artefacts", r.artefacts},
           {"aside", r.aside},
-          {"reference_k", r.reference_k},
           {"metrics_revision", r.metrics_revision},
           {"limit_minutes", number(r.limit_minutes)},
           {"limit_memory_gb", number(r.limit_memory_gb)}};
@@ -68,13 +67,12 @@ void check(const RunRequest& r) {
   for (const std::string& name : {r.run, r.match_to.empty() ? r.run : r.match_to}) {
     if (!is_plain_name(name, 240)) throw DataError("'" + name + "' cannot be the name of a run's folder");
   }
-  if (r.reference_k < 1 || r.reference_k > 8)
-    throw DataError(fmt::format("reference_k is {}, not 1..8", r.reference_k));
   if (r.repeat < 1) throw DataError(fmt::format("repeat is {}, not at least 1", r.repeat));
 }
 
 }  // namespace
 
+// Keys of older versions that no longer mean anything, such as reference_k, are ignored.
 RunRequest request_from_json(const Json& json) {
   RunRequest r;
   r.run = json.at("run").get<std::string>();
@@ -95,7 +93,6 @@ RunRequest request_from_json(const Json& json) {
   r.alone = json.value("alone", false);
   r.artefacts = json.value("artefacts", false);
   r.aside = json.value("aside", false);
-  r.reference_k = integer<int>(json.at("reference_k"));
   r.metrics_revision = integer<int>(json.at("metrics_revision"));
   r.limit_minutes = optional_number(json.at("limit_minutes"));
   r.limit_memory_gb = optional_number(json.at("limit_memory_gb"));

@@ -40,7 +40,6 @@ struct RunRequest {
   bool alone = false;      ///< nothing else of its experiment runs at the same time, so that its seconds count
   bool artefacts = false;  ///< also store the medial axis, the sizing and the particles
   bool aside = false;      ///< for a plot of its own; the tables that compare leave it out
-  int reference_k = default_reference_k;  ///< refinement at which the reference topology is counted
   int metrics_revision = 1;
   std::optional<double> limit_minutes;
   std::optional<double> limit_memory_gb;

@@ -15,7 +15,6 @@ namespace {
 
 void check_request(const RunRequest& request) {
   require(is_plain_name(request.run, 240), "a run's folder stays where it is");
-  require(request.reference_k >= 1 && request.reference_k <= 8, "the reference can be computed");
 }
 
 /// Makes the tables of three runs: the record, the same with another seed, and the same as a failed run.

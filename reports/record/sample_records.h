@@ -62,7 +62,6 @@ inline RunRecord sample_record(const std::string& dataset, const std::string& me
   m.set("edge_over_h0_exceed_triangle_percent", 0.0035);
   m.set("components", 1);
   m.set("euler", -14);
-  m.set("reference_k", 2);
   m.set("euler_reference", -12);
   m.set("components_reference", 3);
   m.set("distance_mean", 0.0125);

@@ -16,26 +16,21 @@ class VariantNames {
  public:
   explicit VariantNames(const std::vector<RunRecord>& records) {
     std::map<std::string, std::set<std::string>> sizings;
-    std::map<std::string, std::set<int>> references;
     for (const RunRecord& record : records) {
       if (record.request.aside) continue;
       const std::string key = record.request.dataset + "/" + record.request.label;
       sizings[key].insert(sizing_name(record.request.sizing));
-      references[key].insert(record.request.reference_k);
     }
     for (const auto& [key, values] : sizings) several_sizings_ = several_sizings_ || values.size() > 1;
-    for (const auto& [key, values] : references) several_references_ = several_references_ || values.size() > 1;
   }
   std::string operator()(const RunRequest& request) const {
     std::string name = request.label;
     if (several_sizings_) name += ", " + sizing_name(request.sizing);
-    if (several_references_) name += fmt::format(", reference k {}", request.reference_k);
     return name;
   }
 
  private:
   bool several_sizings_ = false;
-  bool several_references_ = false;
 };
 
 }  // namespace

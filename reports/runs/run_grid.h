@@ -12,7 +12,7 @@ namespace isobench {
 
 /// One method as it was run, a row of most tables. Runs with different seeds or repeats belong to the same variant.
 struct Variant {
-  std::string name;  ///< the label, with the sizing or reference k if one label has several of them
+  std::string name;  ///< the label, with the sizing if one label has several
   std::string method;
   std::map<std::string, Runs> runs;  ///< by dataset
 };

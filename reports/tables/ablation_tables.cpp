@@ -26,7 +26,7 @@ struct Ablation {
 // The parameter that differs, if it is the only difference between the two.
 std::optional<std::string> only_change(const RunRequest& base, const RunRequest& other) {
   if (base.method != other.method || sizing_name(base.sizing) != sizing_name(other.sizing) ||
-      base.reference_k != other.reference_k || base.match_to != other.match_to) {
+      base.match_to != other.match_to) {
     return std::nullopt;
   }
   std::optional<std::string> change;

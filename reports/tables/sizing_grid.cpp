@@ -96,8 +96,7 @@ std::vector<SizingGrid> sizing_grids(const Results& results) {
     remember(grid->epsilons, *request.sizing.epsilon);
     remember(grid->deltas, *request.sizing.delta);
     Runs& runs = grid->cells[{*request.sizing.epsilon, *request.sizing.delta}];
-    const bool alike = runs.empty() || (runs.front()->request.sizing.floor == request.sizing.floor &&
-                                        runs.front()->request.reference_k == request.reference_k);
+    const bool alike = runs.empty() || runs.front()->request.sizing.floor == request.sizing.floor;
     if (alike) runs.push_back(&record);
   }
   std::erase_if(grids, [](const SizingGrid& grid) {

@@ -21,7 +21,7 @@ struct SizingGrid {
 };
 
 /// Points into `results`. Runs that vary ε and δ only one at a time, from a common base, are no grid. If a cell has
-/// runs with several floors or refinements of the reference, only those like its first run count.
+/// runs with several floors, only those like its first run count.
 std::vector<SizingGrid> sizing_grids(const Results& results);
 
 /// How often the median of a figure rises and falls from one ε to the next smaller one at equal δ, or from one δ to the

@@ -21,7 +21,8 @@ std::string defects(const Measurement& m) {
   return text;
 }
 
-bool has_surface(const Measurement& m) { return m.figure("euler_reference").has_value(); }
+/// Every mesh that was measured against a surface has this figure.
+bool has_surface(const Measurement& m) { return m.figure("distance_unprojected").has_value(); }
 
 /// Why a figure has no value.
 std::string not_measured(const Measurement& m, const char* figure) {
@@ -62,13 +63,12 @@ std::string edge_lines(const Measurement& m) {
 }
 
 std::string topology_line(const Measurement& m) {
-  if (!has_surface(m)) {
+  if (!m.figure("euler_reference")) {
     return fmt::format("components {}, Euler {} (surface {})", m.number("components"), m.number("euler"),
                        not_measured(m, "euler_reference"));
   }
-  return fmt::format("components {} (surface {}), Euler {} (surface {}, counted at k = {})", m.number("components"),
-                     m.number("components_reference"), m.number("euler"), m.number("euler_reference"),
-                     m.number("reference_k"));
+  return fmt::format("components {} (surface {}), Euler {} (surface {})", m.number("components"),
+                     m.number("components_reference"), m.number("euler"), m.number("euler_reference"));
 }
 
 std::string distance_line(const Measurement& m) {

@@ -70,17 +70,15 @@ Table topology_table(const RunGrid& runs) {
                                counted("reference", "components_reference"),
                                counted("χ", "euler"),
                                counted("reference", "euler_reference"),
-                               counted("k", "reference_k"),
                                counted("boundary edges", "boundary_edges"),
                                {"pinches", pinches, as_number()},
                                counted("misoriented edges", "misoriented_edges"),
                                counted("self-intersections", "self_intersections")},
                               false);
   table.remarks = {"Pinches are non-manifold edges and vertices together."};
-  table.definitions = {"components",        "components_reference", "euler",
-                       "euler_reference",   "reference_k",          "boundary_edges",
-                       "nonmanifold_edges", "nonmanifold_vertices", "misoriented_edges",
-                       "self_intersections"};
+  table.definitions = {"components",           "components_reference", "euler",
+                       "euler_reference",      "boundary_edges",       "nonmanifold_edges",
+                       "nonmanifold_vertices", "misoriented_edges",    "self_intersections"};
   return table;
 }
 

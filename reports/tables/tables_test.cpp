@@ -7,6 +7,7 @@
 #include "isobench/reports/record/sample_records.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/tables/best_methods.h"
+#include "isobench/reports/tables/summary.h"
 #include "isobench/reports/tables_document.h"
 #include "isobench/reports/text/markdown.h"
 
@@ -119,11 +120,39 @@ TEST(Tables, TopologyCountsPinchesAndMarksThem) {
   EXPECT_EQ(whole[3], "3");
   EXPECT_EQ(whole[4], "-14");
   EXPECT_EQ(whole[5], "-12");
-  EXPECT_EQ(whole[6], "2");
-  EXPECT_EQ(whole[8], "0");
-  EXPECT_EQ(pinched[8], "3");
+  EXPECT_EQ(whole[7], "0");
+  EXPECT_EQ(pinched[7], "3");
   const std::string all = markdown_tables(results);
   EXPECT_NE(all.find("† The mesh is not a closed manifold"), std::string::npos);
+}
+
+TEST(Tables, ATopologyIsRightOrWrongOnlyBesideOneThatIsProven) {
+  Results results = results_for_tables();
+  const auto right = [&results] { return find_row(methods_table(arrange_runs(results)), {"particles"})[3]; };
+  EXPECT_EQ(right(), "0 of 2");
+  Measurement& pelvis = *results.records[0].measurement;
+  pelvis.set("euler_reference", pelvis.figure("euler"));
+  pelvis.set("components_reference", pelvis.figure("components"));
+  EXPECT_EQ(right(), "1 of 2");
+  const auto forget = [](Measurement& measurement) {
+    for (const char* figure : {"euler_reference", "components_reference"}) measurement.set(figure, std::nullopt);
+  };
+  forget(*results.records[2].measurement);
+  EXPECT_EQ(right(), "1 of 1");
+  forget(pelvis);
+  EXPECT_EQ(right(), "–");
+  EXPECT_EQ(find_row(topology_table(arrange_runs(results)), {"pelvis", "particles"})[5], "–");
+}
+
+TEST(Summary, SaysWhyTheSurfaceHasNoTopology) {
+  Measurement measurement = *sample_record("skull", "particles").measurement;
+  EXPECT_NE(summary_text(measurement).find("components 1 (surface 3), Euler -14 (surface -12)\n"), std::string::npos);
+  measurement.set("euler_reference", std::nullopt);
+  const std::string open = summary_text(measurement);
+  EXPECT_NE(open.find("components 1, Euler -14 (surface not measured: the surface leaves the volume"),
+            std::string::npos)
+      << open;
+  EXPECT_NE(open.find("distance      mean 0.0125 mm"), std::string::npos) << open;
 }
 
 TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
@@ -244,7 +273,7 @@ TEST(Tables, UnfinishedRunsOfAGroupAreCountedAndLeftOut) {
             "0.300 / 0.945 (3 seeds, 1 timeout, 1 † left out)");
   // The topology table shows what is wrong with a mesh, so it leaves none out.
   const Table topology = topology_table(arrange_runs(results));
-  EXPECT_EQ(find_row(topology, {"skull", "particles (3 seeds, 1 timeout, 1 †)"})[7], "2 (0–4)");
+  EXPECT_EQ(find_row(topology, {"skull", "particles (3 seeds, 1 timeout, 1 †)"})[6], "2 (0–4)");
 }
 
 TEST(Tables, WhereNoMeshIsAClosedManifoldAllCountAndAreMarked) {
