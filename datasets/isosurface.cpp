@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "isobench/datasets/spline_prefilter.h"
 #include "isobench/foundation/error.h"
@@ -186,28 +185,12 @@ Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel ker
   coefficients_ = std::move(floats.samples);
   const double sign = inside == Inside::above ? 1.0 : -1.0;
   for (float& c : coefficients_) c = static_cast<float>(sign * (c - isovalue));
-  check_crossing();
 }
 
-void Isosurface::check_crossing() const {
-  // If one node is inside and another outside, some lattice edge crosses c.
-  std::vector<float> slab;
-  float low = std::numeric_limits<float>::infinity();
-  float high = -low;
-  for (int k = 0; k < lattice_.size[2]; ++k) {
-    node_values(k, slab);
-    const auto [least, most] = std::minmax_element(slab.begin(), slab.end());
-    low = std::min(low, *least);
-    high = std::max(high, *most);
-    if (low < 0.0F && high > 0.0F) return;
-  }
-  const double sign = inside_ == Inside::above ? 1.0 : -1.0;
-  const double first = isovalue_ + sign * low;
-  const double second = isovalue_ + sign * high;
-  throw DataError(fmt::format(
-      "no surface: the smooth function F reconstructed from the samples stays within {} to {} at the nodes and never "
-      "crosses isovalue {}; choose one between them",
-      std::min(first, second), std::max(first, second), isovalue_));
+void Isosurface::move_isovalue(double isovalue) {
+  const double change = (inside_ == Inside::above ? 1.0 : -1.0) * (isovalue_ - isovalue);
+  for (float& c : coefficients_) c = static_cast<float>(c + change);
+  isovalue_ = isovalue;
 }
 
 Isosurface::Taps Isosurface::taps(const Eigen::Vector3d& x, std::array<double, 3>& t, Block& border) const {

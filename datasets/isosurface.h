@@ -45,7 +45,7 @@ class Isosurface {
   /// Takes the samples over. The coefficients of F are floats: samples of other types are rounded to float here, once;
   /// floats are moved, not copied. Memory: 4 bytes a node, and the samples as given until they are converted.
   /// Throws DataError if a sample is not finite or too large for a float, if there are fewer than 4 nodes along an
-  /// axis, if c is outside the range of the samples (the message says the range), or if F never crosses c at the nodes.
+  /// axis, or if c is outside the range of the samples (the message says the range). F = c may still be empty.
   Isosurface(Volume volume, double isovalue, Inside inside = Inside::above, Kernel kernel = Kernel::bspline);
 
   double value(const Eigen::Vector3d& x) const;
@@ -56,6 +56,9 @@ class Isosurface {
   /// Projects x to the surface: x ← x − f∇f/|∇f|², in steps of at most half a voxel, until |f|/|∇f| < tolerance·voxel.
   /// std::nullopt if that takes more than `max_steps` steps or the gradient vanishes.
   std::optional<Eigen::Vector3d> project(const Eigen::Vector3d& x, double tolerance = 1e-6, int max_steps = 10) const;
+
+  /// Replaces c. Each coefficient is rounded to float once more. Not while other threads use the surface.
+  void move_isovalue(double isovalue);
 
   /// f at the nodes of one slab of constant k: size[0]·size[1] values, x fastest. At nodes the B-spline is a separable
   /// filter of three taps, so this is far cheaper than value().
@@ -75,7 +78,6 @@ class Isosurface {
   float coefficient(int i, int j, int k) const;
 
  private:
-  void check_crossing() const;
   void copy_coefficients(int k, std::vector<float>& slab) const;
   using Block = std::array<float, 64>;
   /// The 4³ coefficients around a point: the first of them, and the steps to the next row and to the next slab.

@@ -1,6 +1,10 @@
 #include "isobench/methods/method.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 
@@ -10,8 +14,19 @@ std::shared_ptr<const SizingField> MeshingTask::sizing_field(Monitor& monitor) c
   if (field_ == nullptr) {
     const auto stage = monitor.stage("sizing");
     field_ = std::make_shared<const SizingField>(make_sizing_field(surface, sizing, monitor));
+    if (when_sized) when_sized(*field_);
   }
   return field_;
+}
+
+const CertifiedTopology& MeshingTask::topology(Monitor& monitor) const {
+  if (topology_ == nullptr) {
+    const auto stage = monitor.stage("topology");
+    topology_ = std::make_shared<const CertifiedTopology>(certified_topology(surface, monitor));
+  }
+  if (!topology_->is_regular)
+    throw DataError(fmt::format("isovalue {} is no regular value of F; choose another", surface.isovalue()));
+  return *topology_;
 }
 
 bool is_deterministic(const Method& method, const Parameters& parameters) {

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
 #include "isobench/methods/parameters.h"
@@ -27,8 +29,13 @@ inline bool is_empty(const SizingRequest& sizing) {
 class MeshingTask {
  public:
   /// Keeps a reference to the surface.
-  MeshingTask(const Isosurface& the_surface, const SizingRequest& request, Parameters values, std::uint64_t the_seed)
-      : surface(the_surface), sizing(request), parameters(std::move(values)), seed(the_seed) {}
+  MeshingTask(const Isosurface& the_surface, const SizingRequest& request, Parameters values, std::uint64_t the_seed,
+              std::shared_ptr<const CertifiedTopology> topology = nullptr)
+      : surface(the_surface),
+        sizing(request),
+        parameters(std::move(values)),
+        seed(the_seed),
+        topology_(std::move(topology)) {}
 
   const Isosurface& surface;
   const SizingRequest sizing;
@@ -38,9 +45,16 @@ class MeshingTask {
   /// The requested sizing field. The first call computes it, in stage "sizing" of that call's monitor: its seconds
   /// count for the method that asks. Later calls return the same field.
   std::shared_ptr<const SizingField> sizing_field(Monitor& monitor) const;
+  /// Called once, when the sizing is known and before vertices are placed; may throw, to refuse what would be too much.
+  std::function<void(const SizingField&)> when_sized;
+
+  /// The proven topology of the surface. A dataset brings it along; without it, the first call proves it. Throws
+  /// DataError if the isovalue is no regular value.
+  const CertifiedTopology& topology(Monitor& monitor) const;
 
  private:
   mutable std::shared_ptr<const SizingField> field_;
+  mutable std::shared_ptr<const CertifiedTopology> topology_;
 };
 
 struct Method {
@@ -50,7 +64,11 @@ struct Method {
   bool deterministic = true;  ///< the same seed gives the same bytes for any number of threads
   /// If determinism depends on the parameters: whether it holds with these. Otherwise null.
   bool (*deterministic_with)(const Parameters&) = nullptr;
-  bool ignores_sizing = false;  ///< triangles are of the lattice's size, whatever sizing is asked for
+  bool ignores_sizing = false;     ///< triangles are of the lattice's size, whatever sizing is asked for
+  bool promises_manifold = false;  ///< a mesh that is no closed manifold is a failure, not a result
+  // For estimates before the work, as measured on two cores; roughly in proportion to the number of vertices.
+  double microseconds_per_vertex = 0.0;  ///< 0: not known
+  double bytes_per_vertex = 1000.0;
   ParameterSchema parameters;
   /// Makes the mesh, in the lattice's frame. Throws Skipped, with the reason, if the method cannot do the task.
   TriangleMesh (*mesh)(const MeshingTask&, Monitor&) = nullptr;

@@ -8,6 +8,7 @@
 
 #include "isobench/datasets/manifests/data_files.h"
 #include "isobench/datasets/manifests/manifest.h"
+#include "isobench/datasets/manifests/settle_surface.h"
 #include "isobench/foundation/sha256.h"
 
 namespace isobench {
@@ -73,20 +74,25 @@ std::string parameters_text(const Phantom& shape) {
 }
 
 Dataset load_phantom(const Manifest& manifest, Monitor& monitor) {
-  const auto stage = monitor.stage("read");
   Dataset dataset;
+  dataset.title = manifest.title;
   dataset.checksum = manifest_checksum(manifest, {});
   dataset.source = "phantom";
   const Phantom shape = phantom(manifest.phantom->name, manifest.phantom->parameters);
   dataset.preparation = {fmt::format("sample {} with {} nodes along its longest axis{}", shape.name,
                                      manifest.phantom->nodes, parameters_text(shape))};
-  dataset.surface =
-      std::make_unique<Isosurface>(sample_phantom(shape, manifest.phantom->nodes), 0.0, Inside::above, manifest.kernel);
+  {
+    const auto stage = monitor.stage("read");
+    dataset.surface = std::make_unique<Isosurface>(sample_phantom(shape, manifest.phantom->nodes), 0.0, Inside::above,
+                                                   manifest.kernel);
+  }
+  settle_surface(dataset, manifest.choices, monitor);
   return dataset;
 }
 
 Dataset load_files(const Manifest& manifest, Monitor& monitor) {
   Dataset dataset;
+  dataset.title = manifest.title;
   const DataFiles data = locate_data(manifest, monitor);
   monitor.note(fmt::format("{}: read from {}", manifest.name, data.source));
   dataset.source = data.source;
@@ -94,9 +100,12 @@ Dataset load_files(const Manifest& manifest, Monitor& monitor) {
   for (const PrepareStep& step : manifest.steps) dataset.preparation.push_back(describe(step));
   try {
     Volume volume = prepare(read_data(manifest, data, monitor), manifest.steps, monitor);
-    const auto stage = monitor.stage("spline");
-    dataset.surface =
-        std::make_unique<Isosurface>(std::move(volume), manifest.isovalue, manifest.inside, manifest.kernel);
+    {
+      const auto stage = monitor.stage("spline");
+      dataset.surface =
+          std::make_unique<Isosurface>(std::move(volume), manifest.isovalue, manifest.inside, manifest.kernel);
+    }
+    settle_surface(dataset, manifest.choices, monitor);
   } catch (const DataError& error) {
     throw DataError(fmt::format("dataset '{}': {}", manifest.name, error.what()));
   }
@@ -134,11 +143,11 @@ std::string dataset_checksum(const std::string& name, const Place& place) {
   return manifest_checksum(manifest, sums);
 }
 
-Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place) {
-  const Manifest manifest = find_manifest(name, place);
+Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place, double min_component) {
+  Manifest manifest = find_manifest(name, place);
+  manifest.choices.min_component = std::max(manifest.choices.min_component, min_component);
   Dataset dataset = manifest.phantom ? load_phantom(manifest, monitor) : load_files(manifest, monitor);
   dataset.name = manifest.name;
-  dataset.title = manifest.title;
   return dataset;
 }
 

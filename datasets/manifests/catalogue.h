@@ -11,8 +11,10 @@
 
 #include "isobench/datasets/formats/read_volume.h"
 #include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/manifests/surface_choices.h"
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/datasets/preparation/prepare.h"
+#include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/monitor.h"
 
@@ -23,6 +25,9 @@ struct Dataset {
   std::string name;
   std::string title;
   std::unique_ptr<Isosurface> surface;
+  std::shared_ptr<const CertifiedTopology> topology;  ///< of the surface; proven
+  /// Set if this isovalue is no regular value of F, so that the surface has another (settle_surface.h).
+  std::optional<double> asked_isovalue;
   std::string checksum;  ///< hash of sources, preparation, isovalue and kernel; results are reused if it is the same
   std::vector<std::string> preparation;  ///< describe() of each step, for the record
   std::string source;                    ///< where the data came from: a folder, the cache, a package or "phantom"
@@ -47,14 +52,25 @@ std::string dataset_checksum(const std::string& name, const Place& place = {});
 /// Reads and prepares a dataset. Its files come from the folder ISOBENCH_DATA, else from the cache ($ISOBENCH_CACHE,
 /// $XDG_CACHE_HOME/isobench or ~/.cache/isobench), else they are fetched into the cache. Their SHA-256 is always
 /// checked. Throws UsageError at `place`, with the nearest valid name, for an unknown name; DataError for missing data
-/// or a wrong checksum; and what reading, preparing and Isosurface throw.
-Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place = {});
+/// or a wrong checksum; and what reading, preparing, Isosurface and settle_surface() throw.
+///
+/// `min_component` (mm³) replaces the manifest's own, if it is larger.
+Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place = {}, double min_component = 0.0);
 
-/// Makes a dataset of any volume file: smooths it with a Gaussian of `smooth_voxels` (0: no smoothing), and closes an
-/// object that reaches the volume's border there, with a note to the monitor. The checksum covers the samples, rounded
-/// to float, and these arguments. Throws what read_volume(), prepare() and Isosurface throw.
-Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, Inside inside, double smooth_voxels,
-                          Kernel kernel, Monitor& monitor);
+/// Which surface of a volume file is asked for.
+struct FileSurface {
+  double isovalue = 0.0;
+  Inside inside = Inside::above;
+  double smooth_voxels = 0.0;
+  Kernel kernel = Kernel::bspline;
+  SurfaceChoices choices = {};
+};
+
+/// Makes a dataset of any volume file: smooths it with a Gaussian of `asked.smooth_voxels` (0: no smoothing), and
+/// closes an object that reaches the volume's border there, with a note to the monitor. The checksum covers the
+/// samples, rounded to float, and these arguments. Throws what read_volume(), prepare(), Isosurface and
+/// settle_surface() throw.
+Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor);
 
 /// Fetches a dataset's files into the cache, unless ISOBENCH_DATA or the cache has them. Returns their paths, none for
 /// a phantom.

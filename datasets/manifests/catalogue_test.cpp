@@ -221,17 +221,17 @@ TEST(DatasetFromFile, TakesAnIsovalueAndSmoothing) {
   const TestFolder folder;
   const auto path = folder.write("ball.nrrd", ball_nrrd());
   Monitor monitor;
-  const Dataset plain = dataset_from_file(path, 10.0, Inside::above, 0.0, Kernel::bspline, monitor);
+  const Dataset plain = dataset_from_file(path, {.isovalue = 10.0}, monitor);
   EXPECT_EQ(plain.name, "ball");
   EXPECT_TRUE(plain.preparation.empty());
   EXPECT_TRUE(monitor.notes().empty());
-  const Dataset smooth = dataset_from_file(path, 10.0, Inside::above, 1.0, Kernel::bspline, monitor);
+  const Dataset smooth = dataset_from_file(path, {.isovalue = 10.0, .smooth_voxels = 1.0}, monitor);
   EXPECT_EQ(smooth.preparation.size(), 1U);
   EXPECT_NE(smooth.checksum, plain.checksum);
-  EXPECT_NE(dataset_from_file(path, 10.5, Inside::above, 0.0, Kernel::bspline, monitor).checksum, plain.checksum);
-  EXPECT_EQ(dataset_from_file(path, 10.0, Inside::above, 0.0, Kernel::bspline, monitor).checksum, plain.checksum);
-  EXPECT_THROW(dataset_from_file(path, 99.0, Inside::above, 0.0, Kernel::bspline, monitor), DataError);
-  EXPECT_THROW(dataset_from_file(path, 10.0, Inside::above, -1.0, Kernel::bspline, monitor), UsageError);
+  EXPECT_NE(dataset_from_file(path, {.isovalue = 10.5}, monitor).checksum, plain.checksum);
+  EXPECT_EQ(dataset_from_file(path, {.isovalue = 10.0}, monitor).checksum, plain.checksum);
+  EXPECT_THROW(dataset_from_file(path, {.isovalue = 99.0}, monitor), DataError);
+  EXPECT_THROW(dataset_from_file(path, {.isovalue = 10.0, .smooth_voxels = -1.0}, monitor), UsageError);
 }
 
 /// Two blocks of labels in 16³ nodes, 4 ≤ j, k < 12: the first where 2 ≤ i < 7, the second where 9 ≤ i < 14.
@@ -311,7 +311,7 @@ TEST(DatasetFromFile, ChecksumIsThatOfTheFloatsWhateverTheirTypeInTheFile) {
   Monitor monitor;
   const auto checksum = [&](const std::string& bytes) {
     const auto path = folder.write("blocks.nrrd", bytes);
-    return dataset_from_file(path, 1.5, Inside::above, 0.0, Kernel::bspline, monitor).checksum;
+    return dataset_from_file(path, {.isovalue = 1.5}, monitor).checksum;
   };
   const std::string as_bytes = checksum(nrrd_of_blocks("uint8") + two_blocks<std::uint8_t>(3, 5));
   EXPECT_EQ(checksum(nrrd_of_blocks("float") + two_blocks<float>(3, 5)), as_bytes);
@@ -339,12 +339,12 @@ TEST(DatasetFromFile, ClosesAnObjectThatLeavesTheVolumeAndSaysSo) {
   const TestFolder folder;
   const auto path = folder.write("half.nrrd", ball_nrrd(1.0));  // the ball's middle lies at the border
   Monitor monitor;
-  const Dataset above = dataset_from_file(path, 10.0, Inside::above, 0.0, Kernel::bspline, monitor);
+  const Dataset above = dataset_from_file(path, {.isovalue = 10.0}, monitor);
   ASSERT_EQ(monitor.notes().size(), 1U);
   EXPECT_NE(monitor.notes()[0].find("closed at its border"), std::string::npos);
   EXPECT_FALSE(inside_at_border(*above.surface));
   // The complement of the ball reaches the border on all sides.
-  const Dataset below = dataset_from_file(path, 10.0, Inside::below, 0.0, Kernel::bspline, monitor);
+  const Dataset below = dataset_from_file(path, {.isovalue = 10.0, .inside = Inside::below}, monitor);
   EXPECT_EQ(monitor.notes().size(), 2U);
   EXPECT_FALSE(inside_at_border(*below.surface));
 }

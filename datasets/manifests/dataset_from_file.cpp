@@ -6,6 +6,7 @@
 
 #include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/datasets/manifests/manifest.h"
+#include "isobench/datasets/manifests/settle_surface.h"
 #include "isobench/foundation/sha256.h"
 
 namespace isobench {
@@ -80,8 +81,8 @@ std::string checksum_of(const Volume& volume, const std::string& arguments) {
 
 }  // namespace
 
-Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, Inside inside, double smooth_voxels,
-                          Kernel kernel, Monitor& monitor) {
+Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor) {
+  const auto& [isovalue, inside, smooth_voxels, kernel, choices] = asked;
   if (!std::isfinite(isovalue)) throw UsageError("the isovalue is not a finite number; give one that is");
   if (!(smooth_voxels >= 0.0 && smooth_voxels < 1000.0)) {
     throw UsageError(
@@ -108,8 +109,11 @@ Dataset dataset_from_file(const std::filesystem::path& path, double isovalue, In
       monitor.note(fmt::format("{}: the object leaves the volume and was closed at its border", dataset.title));
     }
     for (const PrepareStep& step : steps) dataset.preparation.push_back(describe(step));
-    const auto stage = monitor.stage("spline");
-    dataset.surface = std::make_unique<Isosurface>(std::move(volume), isovalue, inside, kernel);
+    {
+      const auto stage = monitor.stage("spline");
+      dataset.surface = std::make_unique<Isosurface>(std::move(volume), isovalue, inside, kernel);
+    }
+    settle_surface(dataset, choices, monitor);
   } catch (const DataError& error) {
     throw DataError(fmt::format("{}: {}", path.string(), error.what()));
   }

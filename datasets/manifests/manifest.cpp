@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "isobench/datasets/formats/sample_data.h"
 #include "isobench/datasets/manifests/manifest_steps.h"
@@ -156,13 +157,20 @@ ManifestPhantom parse_phantom(const TomlValue& table) {
   return chosen;
 }
 
+double parse_min_component(const TomlValue& value) {
+  const double least = value.as_number();
+  if (!(least >= 0.0 && std::isfinite(least)))
+    throw UsageError(value.place(), fmt::format("min-component is {}; give a volume of at least 0 mm³", least));
+  return least;
+}
+
 }  // namespace
 
 Manifest read_manifest(const std::filesystem::path& path, const std::string& name) {
   const TomlValue root = TomlValue::parse_file(path);
-  root.allow_keys(
-      {"title", "licence", "source", "acknowledgement", "isovalue", "inside", "kernel", "prepare", "data", "phantom"},
-      "a dataset's manifest");
+  root.allow_keys({"title", "licence", "source", "acknowledgement", "isovalue", "inside", "kernel", "exact-isovalue",
+                   "min-component", "prepare", "data", "phantom"},
+                  "a dataset's manifest");
   Manifest manifest;
   manifest.name = name;
   if (name.ends_with(".toml")) {
@@ -180,13 +188,15 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
   manifest.acknowledgement = string_or(root, "acknowledgement");
   manifest.kernel = parse_choice(root, "kernel", {Kernel::bspline, Kernel::interpolating_bspline, Kernel::catmull_rom});
   manifest.inside = parse_choice(root, "inside", {Inside::above, Inside::below});
+  if (const auto exactly = root.find("exact-isovalue")) manifest.choices.exact_isovalue = exactly->as_bool();
+  if (const auto least = root.find("min-component")) manifest.choices.min_component = parse_min_component(*least);
   const auto data = root.find("data");
   const auto phantom = root.find("phantom");
   if (data.has_value() == phantom.has_value()) {
     throw UsageError(root.place(), "a manifest needs either [data] or [phantom], and not both");
   }
   if (phantom) {
-    for (const char* key : {"isovalue", "inside", "prepare"}) {
+    for (const char* key : {"isovalue", "inside", "exact-isovalue", "prepare"}) {
       if (const auto value = root.find(key))
         throw UsageError(value->place(), fmt::format("a phantom has no '{}'; remove the key", key));
     }
@@ -202,6 +212,7 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
 std::string manifest_checksum(const Manifest& manifest, const std::vector<std::string>& file_sums) {
   std::string text = fmt::format("isobench dataset, preparation revision {}\nkernel {}\n", preparation_revision,
                                  to_string(manifest.kernel));
+  if (manifest.choices.min_component > 0.0) text += fmt::format("min-component {}\n", manifest.choices.min_component);
   if (manifest.phantom) {
     text += fmt::format("phantom {} {}\n", manifest.phantom->name, manifest.phantom->nodes);
     const Phantom shape = phantom(manifest.phantom->name, manifest.phantom->parameters);

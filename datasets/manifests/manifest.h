@@ -9,6 +9,7 @@
 
 #include "isobench/datasets/formats/read_volume.h"
 #include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/manifests/surface_choices.h"
 #include "isobench/datasets/preparation/prepare.h"
 
 namespace isobench {
@@ -48,6 +49,7 @@ struct Manifest {
   double isovalue = 0.0;
   Inside inside = Inside::above;
   Kernel kernel = Kernel::bspline;
+  SurfaceChoices choices;
 };
 
 /// Reads a manifest. `name` is the dataset's name, or the manifest's own path. Throws UsageError with the place of what

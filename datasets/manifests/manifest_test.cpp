@@ -55,6 +55,17 @@ TEST(Manifest, SaysFilesStepsAndSurface) {
   EXPECT_EQ(manifest.files[1].name, "b");
 }
 
+TEST(Manifest, SaysHowExactTheIsovalueIsAndHowSmallAComponentMayBe) {
+  const Manifest plain = parse(manifest_head + manifest_data);
+  EXPECT_FALSE(plain.choices.exact_isovalue);
+  EXPECT_EQ(plain.choices.min_component, 0.0);
+  const Manifest chosen = parse(manifest_head + "exact-isovalue = true\nmin-component = 2.5\n" + manifest_data);
+  EXPECT_TRUE(chosen.choices.exact_isovalue);
+  EXPECT_EQ(chosen.choices.min_component, 2.5);
+  expect_usage_error(manifest_head + "min-component = -1\n" + manifest_data, 3, "min-component is -1");
+  expect_usage_error(manifest_head + "exact-isovalue = 1\n" + manifest_data, 3, "");
+}
+
 TEST(Manifest, ErrorsNameTheLineAndTheNearestName) {
   expect_usage_error(manifest_head + "isovalu = 3\n" + manifest_data, 3, "isovalue");
   expect_usage_error(manifest_head + "prepare = [ { step = \"gausian\", sigma = 1 } ]\n" + manifest_data, 3,
@@ -110,6 +121,8 @@ TEST(ManifestChecksum, CoversAllThatDecidesTheResultAndNothingElse) {
   EXPECT_NE(sum("title = \"T\"\nisovalue = 2.500001\n" + steps + manifest_data), reference);
   EXPECT_NE(sum(manifest_head + "inside = \"below\"\n" + steps + manifest_data), reference);
   EXPECT_NE(sum(manifest_head + "kernel = \"catmull-rom\"\n" + steps + manifest_data), reference);
+  EXPECT_NE(sum(manifest_head + "min-component = 5\n" + steps + manifest_data), reference);
+  EXPECT_EQ(sum(manifest_head + "min-component = 0\nexact-isovalue = true\n" + steps + manifest_data), reference);
   EXPECT_NE(manifest_checksum(parse(manifest_head + steps + manifest_data), {"t"}), reference);
 }
 

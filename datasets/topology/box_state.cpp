@@ -75,43 +75,44 @@ Face face_of(const Tricubic& f, int axis, int side) {
   return face;
 }
 
-bool is_regular_face(const Face& face, double margin) {
+bool is_regular_face(const Face& face, const Margins& margins) {
   Lanes values(face[0]);
   for (std::size_t m = 1; m < 4; ++m) values.add(face[m]);
-  if (values.least() > margin || values.most() < -margin) return true;
+  if (values.least() > margins.value || values.most() < -margins.value) return true;
   Lanes u(differences(face[0]));
   for (std::size_t m = 1; m < 4; ++m) u.add(differences(face[m]));
-  if (has_sign(u, margin)) return true;
+  if (has_sign(u, margins.difference)) return true;
   Lanes v(face[1] - face[0]);
   v.add(face[2] - face[1]);
   v.add(face[3] - face[2]);
-  return has_sign(v, margin);
+  return has_sign(v, margins.difference);
 }
 
-bool is_regular_edge(const double* b, std::size_t step, double margin) {
+bool is_regular_edge(const double* b, std::size_t step, const Margins& margins) {
   const double b0 = b[0];
   const double b1 = b[step];
   const double b2 = b[2 * step];
   const double b3 = b[3 * step];
-  if (std::min(std::min(b0, b1), std::min(b2, b3)) > margin) return true;
-  if (std::max(std::max(b0, b1), std::max(b2, b3)) < -margin) return true;
+  if (std::min(std::min(b0, b1), std::min(b2, b3)) > margins.value) return true;
+  if (std::max(std::max(b0, b1), std::max(b2, b3)) < -margins.value) return true;
+  const double margin = margins.difference;
   return (b1 - b0 > margin && b2 - b1 > margin && b3 - b2 > margin) ||
          (b1 - b0 < -margin && b2 - b1 < -margin && b3 - b2 < -margin);
 }
 
-bool edges_are_regular(const Tricubic& f, double margin) {
+bool edges_are_regular(const Tricubic& f, const Margins& margins) {
   const double* b = f.b.data();
   for (const std::size_t v : {0U, 12U}) {
     for (const std::size_t w : {0U, 48U}) {
-      if (!is_regular_edge(b + v + w, 1, margin)) return false;
+      if (!is_regular_edge(b + v + w, 1, margins)) return false;
     }
   }
   for (const std::size_t u : {0U, 3U}) {
     for (const std::size_t w : {0U, 48U}) {
-      if (!is_regular_edge(b + u + w, 4, margin)) return false;
+      if (!is_regular_edge(b + u + w, 4, margins)) return false;
     }
     for (const std::size_t v : {0U, 12U}) {
-      if (!is_regular_edge(b + u + v, 16, margin)) return false;
+      if (!is_regular_edge(b + u + v, 16, margins)) return false;
     }
   }
   return true;
@@ -125,20 +126,20 @@ Lanes values_of(const Tricubic& f) {
 
 }  // namespace
 
-BoxState examine(const Tricubic& f, double margin) {
+BoxState examine(const Tricubic& f, const Margins& margins) {
   const Lanes values = values_of(f);
-  if (values.least() > margin) return {BoxKind::without_surface, 255};
-  if (values.most() < -margin) return {BoxKind::without_surface, 0};
+  if (values.least() > margins.value) return {BoxKind::without_surface, 255};
+  if (values.most() < -margins.value) return {BoxKind::without_surface, 0};
   BoxState state;
   for (unsigned corner = 0; corner < 8; ++corner) {
     const double value = f.corner(corner);
-    if (!(std::abs(value) > margin)) return state;
+    if (!(std::abs(value) > margins.value)) return state;
     if (value > 0.0) state.inside = static_cast<std::uint8_t>(state.inside | 1U << corner);
   }
-  if (!is_monotone(f, margin) || !edges_are_regular(f, margin)) return state;
+  if (!is_monotone(f, margins.difference) || !edges_are_regular(f, margins)) return state;
   for (int axis = 0; axis < 3; ++axis) {
     for (int side = 0; side < 2; ++side) {
-      if (!is_regular_face(face_of(f, axis, side), margin)) return state;
+      if (!is_regular_face(face_of(f, axis, side), margins)) return state;
     }
   }
   const bool mixed = state.inside != 0 && state.inside != 255;

@@ -18,8 +18,13 @@ struct BoxState {
   std::uint8_t inside = 0;  ///< bit x + 2y + 4z: f > 0 at that corner
 };
 
-/// Values within `margin` of zero count as zero, and so do differences of neighbouring coefficients.
-BoxState examine(const Tricubic& f, double margin);
+/// What counts as zero.
+struct Margins {
+  double value = 0.0;  ///< values of f up to this: what is proven holds for f = v of every v from −value to value
+  double difference = 0.0;  ///< differences of neighbouring coefficients up to this
+};
+
+BoxState examine(const Tricubic& f, const Margins& margins);
 
 /// Whether it is proven that no point of the box has both a value from `low` to `high` and a gradient of zero.
 bool is_regular(const Tricubic& f, double low, double high, double margin);

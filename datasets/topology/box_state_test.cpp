@@ -39,24 +39,24 @@ Tricubic sum_of(const std::vector<Term>& terms) {
   return f;
 }
 
-constexpr double margin = 1e-12;
+constexpr Margins margins{1e-12, 1e-12};
 
 TEST(BoxState, APlaneIsADisc) {
   const Tricubic f =
       sum_of({{1, linear, one, one}, {1, one, linear, one}, {1, one, one, linear}, {-1.4, one, one, one}});
-  const BoxState state = examine(f, margin);
+  const BoxState state = examine(f, margins);
   EXPECT_EQ(state.kind, BoxKind::disc);
   EXPECT_EQ(state.inside, 0b11101000U);  // the corners with two or three ones
   EXPECT_NEAR(f.corner(6), 0.6, 1e-15);
 }
 
 TEST(BoxState, WithoutAZeroThereIsNoSurface) {
-  EXPECT_EQ(examine(sum_of({{0.1, one, one, one}, {1, bump, bump, bump}}), margin).kind, BoxKind::without_surface);
-  EXPECT_EQ(examine(sum_of({{-3, one, one, one}, {1, bump, bump, bump}}), margin).kind, BoxKind::without_surface);
+  EXPECT_EQ(examine(sum_of({{0.1, one, one, one}, {1, bump, bump, bump}}), margins).kind, BoxKind::without_surface);
+  EXPECT_EQ(examine(sum_of({{-3, one, one, one}, {1, bump, bump, bump}}), margins).kind, BoxKind::without_surface);
 }
 
 TEST(BoxState, ASpeckWithinIsUndecided) {
-  EXPECT_EQ(examine(sum_of({{-0.3, one, one, one}, {1, bump, bump, bump}}), margin).kind, BoxKind::undecided);
+  EXPECT_EQ(examine(sum_of({{-0.3, one, one, one}, {1, bump, bump, bump}}), margins).kind, BoxKind::undecided);
 }
 
 // f rises along z and has no zero on any edge, but it has a loop of zeros on one face.
@@ -67,7 +67,8 @@ TEST(BoxState, ALoopOnAFaceIsUndecided) {
     };
     Term rise = turned(one, one, linear);
     rise.factor = 0.1;
-    EXPECT_EQ(examine(sum_of({{-0.3, one, one, one}, turned(bump, bump, one), rise}), margin).kind, BoxKind::undecided);
+    EXPECT_EQ(examine(sum_of({{-0.3, one, one, one}, turned(bump, bump, one), rise}), margins).kind,
+              BoxKind::undecided);
   }
 }
 
@@ -76,20 +77,20 @@ TEST(BoxState, TwoCrossingsOfAnEdgeAreUndecided) {
   const Tricubic x = sum_of({{-0.3, one, one, one}, {1, bump, one, one}, {2, one, linear, one}, {2, one, one, linear}});
   const Tricubic y = sum_of({{-0.3, one, one, one}, {1, one, bump, one}, {2, linear, one, one}, {2, one, one, linear}});
   const Tricubic z = sum_of({{-0.3, one, one, one}, {1, one, one, bump}, {2, linear, one, one}, {2, one, linear, one}});
-  for (const Tricubic& f : {x, y, z}) EXPECT_EQ(examine(f, margin).kind, BoxKind::undecided);
+  for (const Tricubic& f : {x, y, z}) EXPECT_EQ(examine(f, margins).kind, BoxKind::undecided);
 }
 
 TEST(BoxState, AZeroAtACornerIsUndecided) {
   const Tricubic f = sum_of({{1, linear, one, one}, {1, one, linear, one}, {1, one, one, linear}});
-  EXPECT_EQ(examine(f, margin).kind, BoxKind::undecided);
+  EXPECT_EQ(examine(f, margins).kind, BoxKind::undecided);
 }
 
 TEST(BoxState, ABoxIsRegularIfItHasNoCriticalPointWithTheseValues) {
   const Tricubic peak = sum_of({{1, bump, bump, bump}});
-  EXPECT_FALSE(is_regular(peak, 0.9, 1.1, margin));
-  EXPECT_TRUE(is_regular(peak, 8.0, 9.0, margin));
-  EXPECT_TRUE(is_regular(peak, -2.0, -1.0, margin));
-  EXPECT_TRUE(is_regular(sum_of({{1, bump, bump, one}, {0.1, one, one, linear}}), 0.0, 1.0, margin));
+  EXPECT_FALSE(is_regular(peak, 0.9, 1.1, margins.difference));
+  EXPECT_TRUE(is_regular(peak, 8.0, 9.0, margins.difference));
+  EXPECT_TRUE(is_regular(peak, -2.0, -1.0, margins.difference));
+  EXPECT_TRUE(is_regular(sum_of({{1, bump, bump, one}, {0.1, one, one, linear}}), 0.0, 1.0, margins.difference));
 }
 
 TEST(Tricubic, PartsAreThePolynomialOnTheirBoxes) {

@@ -14,23 +14,6 @@ namespace isobench {
 
 namespace {
 
-/// The range of the spline's coefficients.
-double range_of(const Isosurface& surface) {
-  const auto [nx, ny, nz] = surface.lattice().size;
-  float least = std::numeric_limits<float>::infinity();
-  float most = -least;
-  for (int k = 0; k < nz; ++k) {
-    for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx; ++i) {
-        const float c = surface.coefficient(i, j, k);
-        least = std::min(least, c);
-        most = std::max(most, c);
-      }
-    }
-  }
-  return static_cast<double>(most) - static_cast<double>(least);
-}
-
 /// A node of a layer's trees; without a layer, the outside of the lattice.
 struct Place {
   const CellLayer* layer = nullptr;
@@ -217,8 +200,9 @@ class Counter {
   LayerCount count_;
 };
 
-void count(const Isosurface& surface, const std::vector<CellLayer>& layers, Monitor& monitor,
-           CertifiedTopology& result) {
+/// Counts, and returns the component of each disc.
+std::vector<std::uint32_t> count(const Isosurface& surface, const std::vector<CellLayer>& layers, Monitor& monitor,
+                                 CertifiedTopology& result) {
   const std::array<int, 3>& size = surface.lattice().size;
   std::vector<LayerCount> counts(layers.size());
   tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t k) {
@@ -245,42 +229,68 @@ void count(const Isosurface& surface, const std::vector<CellLayer>& layers, Moni
         component[n] = static_cast<std::uint32_t>(result.components.size());
         result.components.emplace_back();
       }
-      SurfaceComponent& of = result.components[component[root]];
+      component[n] = component[root];
+      SurfaceComponent& of = result.components[component[n]];
       of.euler += counts[k].euler[d];
       ++of.boxes;
     }
   }
   for (const SurfaceComponent& of : result.components) result.euler += of.euler;
+  return component;
 }
 
-/// Rounding: 64 coefficients and few operations a cut, in double precision.
-constexpr double margin_of_range = 1e-13;
-
-bool count_at(const Isosurface& surface, double value, double margin, double cut_at, Monitor& monitor,
+/// Counts at a value, with what is within `margin` of it.
+bool count_at(const Isosurface& surface, double value, const Margins& margins, double cut_at, Monitor& monitor,
               CertifiedTopology& result) {
-  const auto layers = subdivide(surface, -value, margin, cut_at, monitor);
+  auto layers = subdivide(surface, -value, margins, cut_at, monitor);
   if (!layers) return false;
   result.is_regular = true;
-  result.counted_at = value;
-  count(surface, *layers, monitor, result);
+  std::vector<std::uint32_t> component = count(surface, *layers, monitor, result);
+  result.boxes =
+      std::make_shared<const SurfaceBoxes>(surface.lattice(), cut_at, std::move(*layers), std::move(component));
   return true;
 }
 
 }  // namespace
 
-CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, double cut_at) {
+std::size_t CertifiedTopology::kept_components() const {
+  const auto is_kept = [](const SurfaceComponent& component) { return !component.is_left_out; };
+  return static_cast<std::size_t>(std::count_if(components.begin(), components.end(), is_kept));
+}
+
+double coefficient_range(const Isosurface& surface) {
+  const auto [nx, ny, nz] = surface.lattice().size;
+  float least = std::numeric_limits<float>::infinity();
+  float most = -least;
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        const float c = surface.coefficient(i, j, k);
+        least = std::min(least, c);
+        most = std::max(most, c);
+      }
+    }
+  }
+  return static_cast<double>(most) - static_cast<double>(least);
+}
+
+CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor, double cut_at, double value) {
   CertifiedTopology result;
-  const double range = range_of(surface);
-  const double margin = margin_of_range * range;
-  if (count_at(surface, 0.0, margin, cut_at, monitor, result)) return result;
-  // Either f is zero at corners of boxes or touches their faces, or 0 is a critical value. If a band around 0 has no
-  // critical value, the surfaces of all its values have the same topology, and most of them avoid corners and faces.
-  for (const double width : {1e-6, 1e-8, 1e-10}) {
+  const double range = coefficient_range(surface);
+  const Margins margins{same_value * range, rounding_of(range)};
+  if (count_at(surface, value, margins, cut_at, monitor, result)) return result;
+  // Either f takes the value at corners of boxes or touches their faces there, or it is a critical value. If a band
+  // around it has no critical value, the surfaces of all values in the band have the same topology, and most of them
+  // avoid corners and faces.
+  for (const double width : {1e-6, 1e-8, 2.0 * same_value}) {
     const double band = width * range;
-    result.singular = singular_boxes(surface, -band, band, margin, cut_at, monitor);
+    result.singular = singular_boxes(surface, value - band, value + band, margins.difference, cut_at, monitor);
     if (!result.singular.empty()) continue;
+    const Margins narrow{0.01 * band, margins.difference};
     for (const double part : {0.618, -0.618, 0.377, -0.377, 0.854, -0.854, 0.146, -0.146}) {
-      if (count_at(surface, part * band, margin, cut_at, monitor, result)) return result;
+      if (!count_at(surface, value + part * band, narrow, cut_at, monitor, result)) continue;
+      result.counted_at = part * band;
+      return result;
     }
   }
   return result;

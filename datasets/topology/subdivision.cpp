@@ -15,7 +15,7 @@ namespace {
 /// Cuts one cell after the other. Keeps the polynomials of the boxes on the way down.
 class Cutter {
  public:
-  Cutter(double cut_at, double margin) : cut_at_(cut_at), margin_(margin), levels_(most_cuts) {}
+  Cutter(double cut_at, const Margins& margins) : cut_at_(cut_at), margins_(margins), levels_(most_cuts) {}
 
   /// Adds the tree of a cell to the layer, unless it turns out that F = c does not cross the cell. Returns false if a
   /// box stays undecided; the layer is then not usable.
@@ -43,7 +43,7 @@ class Cutter {
   static bool is_empty(const TreeNode& node) { return !node.is_cut && node.kind == BoxKind::without_surface; }
 
   bool expand(std::uint32_t node, const Tricubic& f, int depth, CellLayer& layer) {
-    const BoxState state = examine(f, margin_);
+    const BoxState state = examine(f, margins_);
     layer.nodes[node].kind = state.kind;
     layer.nodes[node].inside = state.inside;
     if (state.kind == BoxKind::disc) layer.nodes[node].next = layer.discs++;
@@ -67,7 +67,7 @@ class Cutter {
   }
 
   bool is_regular_box(const Tricubic& f, double low, double high, int depth) {
-    if (is_regular(f, low, high, margin_)) return true;
+    if (is_regular(f, low, high, margins_.difference)) return true;
     if (depth == most_cuts) {
       parts_.clear();
       return false;
@@ -89,7 +89,7 @@ class Cutter {
   }
 
   double cut_at_;
-  double margin_;
+  Margins margins_;
   std::vector<std::array<Tricubic, 8>> levels_;
   std::vector<unsigned> parts_;
 };
@@ -114,16 +114,16 @@ CellBox box_at(const Isosurface& surface, const Eigen::Array3i& cell, const std:
 
 }  // namespace
 
-std::optional<std::vector<CellLayer>> subdivide(const Isosurface& surface, double offset, double margin, double cut_at,
-                                                Monitor& monitor) {
+std::optional<std::vector<CellLayer>> subdivide(const Isosurface& surface, double offset, const Margins& margins,
+                                                double cut_at, Monitor& monitor) {
   const int layers = surface.lattice().size[2] - 1;
   const int columns = surface.lattice().size[0] - 1;
   std::vector<CellLayer> all(static_cast<std::size_t>(layers));
-  Cutters cutters([cut_at, margin] { return Cutter(cut_at, margin); });
+  Cutters cutters([cut_at, margins] { return Cutter(cut_at, margins); });
   std::atomic<bool> is_decided = true;
   tbb::parallel_for(0, layers, [&](int k) {
     Cutter& cutter = cutters.local();
-    for (const auto& [i, j] : candidate_cells(surface, k, -offset - margin, -offset + margin)) {
+    for (const auto& [i, j] : candidate_cells(surface, k, -offset - margins.value, -offset + margins.value)) {
       if (!is_decided || monitor.is_cancelled()) return;
       const auto number = static_cast<std::uint32_t>(i + j * columns);
       if (!cutter.add_cell(cell_polynomial(surface, i, j, k, offset), number, all[static_cast<std::size_t>(k)]))
@@ -139,7 +139,7 @@ std::vector<CellBox> singular_boxes(const Isosurface& surface, double low, doubl
                                     Monitor& monitor) {
   const int layers = surface.lattice().size[2] - 1;
   std::vector<std::vector<CellBox>> found(static_cast<std::size_t>(layers));
-  Cutters cutters([cut_at, margin] { return Cutter(cut_at, margin); });
+  Cutters cutters([cut_at, margin] { return Cutter(cut_at, Margins{margin, margin}); });
   tbb::parallel_for(0, layers, [&](int k) {
     Cutter& cutter = cutters.local();
     for (const auto& [i, j] : candidate_cells(surface, k, low, high)) {

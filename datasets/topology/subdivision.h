@@ -32,8 +32,8 @@ struct CellLayer {
 
 /// Cuts the cells for f + `offset`, at `cut_at` (see usual_cut): one layer for each k from 0 to size[2] − 2.
 /// std::nullopt if a box is still undecided after most_cuts cuts. Throws Cancelled. Threads: all.
-std::optional<std::vector<CellLayer>> subdivide(const Isosurface& surface, double offset, double margin, double cut_at,
-                                                Monitor& monitor);
+std::optional<std::vector<CellLayer>> subdivide(const Isosurface& surface, double offset, const Margins& margins,
+                                                double cut_at, Monitor& monitor);
 
 /// A part of a lattice cell, in the lattice frame, mm.
 struct CellBox {

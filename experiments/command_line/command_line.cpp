@@ -70,11 +70,16 @@ void add_surface(CLI::App& verb, SurfaceArguments& surface) {
   add(verb, "--dataset", surface.dataset, "NAME", "a name from `isobench list datasets`, or the path of a manifest");
   add(verb, "--volume", surface.volume, "FILE", "a volume: NRRD, MetaImage, NIfTI, VTI or INRIMAGE-4");
   add(verb, "--isovalue", surface.isovalue, "C", "with --volume: the surface is where the volume has this value");
+  verb.add_flag("--exact-isovalue", surface.choices.exact_isovalue,
+                "with --volume: refuse an isovalue at which F = C touches itself or fills space, instead of moving it");
   add(verb, "--inside", surface.inside, "SIDE",
       fmt::format("with --volume: the object lies where values are above or below C (default: {})", surface.inside))
       ->check(CLI::IsMember({"above", "below"}));
   add(verb, "--smooth", surface.smooth, "S",
       fmt::format("with --volume: smooth by a Gaussian with a sigma of S voxels (default: {})", surface.smooth))
+      ->check(CLI::NonNegativeNumber);
+  add(verb, "--min-component", surface.choices.min_component, "V",
+      "leave out islands and cavities of the surface that enclose less than V mm³ (default: none)")
       ->check(CLI::NonNegativeNumber);
 }
 
@@ -179,7 +184,11 @@ void add_mesh(CLI::App& app, CommandLine& line) {
   add(*verb, "--seed", mesh.seed, "N", fmt::format("seed of the random numbers (default: {})", mesh.seed));
   add(*verb, "-o,--output", mesh.output, "FILE", "write the mesh to FILE: .vtp, .ply, .off, .obj or .stl");
   add(*verb, "--artefacts", mesh.artefacts, "FOLDER",
-      "write medial-axis.vtp, sizing.vtp and particles.vtp to FOLDER, if the method has them");
+      "write topology.vtp (where small features decide the topology), and medial-axis.vtp, sizing.vtp and "
+      "particles.vtp if the method has them, to FOLDER");
+  add(*verb, "--max-vertices", mesh.max_vertices, "N",
+      "refuse, before the work, a mesh that would have more vertices (default: as many as the free memory holds)")
+      ->check(CLI::PositiveNumber);
   add_common(*verb, line);
   verb->callback([&line] { line.action = [&line] { return mesh_verb(line.mesh, line.common); }; });
 }

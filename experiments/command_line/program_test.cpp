@@ -163,6 +163,7 @@ TEST_F(ProgramVerbs, MeshLeavesArtefactsInAFolder) {
   const Outcome outcome = run(with(sized, {"--artefacts", "here"}));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "here" / "medial-axis.vtp"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "here" / "topology.vtp"));
 }
 
 TEST_F(ProgramVerbs, MeshWithoutASizingTakesThePapersAndSaysSo) {
@@ -176,6 +177,17 @@ TEST_F(ProgramVerbs, MeshWithoutASizingTakesThePapersAndSaysSo) {
   EXPECT_EQ(sized.err.find(says), std::string::npos) << sized.err;
   EXPECT_EQ(unsized.out.substr(0, unsized.out.find("\ntime")), sized.out.substr(0, sized.out.find("\ntime")));
   expect(with(ball, {"--epsilon", "0.5"}), 2, "epsilon is given without delta");
+}
+
+TEST_F(ProgramVerbs, MeshSaysWhatItWillCostAndRefusesTooMuch) {
+  folder_.write("small.toml", "title = \"Small\"\n[phantom]\nname = \"sphere\"\nnodes = 24\n");
+  const std::vector<std::string> ball = {"mesh", "--dataset", "small.toml"};
+  const Outcome done = run(with(ball, {"--edge-length", "4"}));
+  EXPECT_EQ(done.code, 0);
+  EXPECT_NE(done.err.find("expected: about "), std::string::npos) << done.err;
+  expect(with(ball, {"--edge-length", "1e-5", "-q"}), 2, "of memory are free; ask for longer edges");
+  expect(with(ball, {"--edge-length", "4", "--max-vertices", "50", "-q"}), 2, "more than --max-vertices 50; ");
+  expect(with(ball, {"--epsilon", "0.5", "--delta", "0.3", "--max-vertices", "20", "-q"}), 2, "more than --max-vert");
 }
 
 TEST_F(ProgramVerbs, AMethodThatIgnoresTheSizingNeedsNone) {
@@ -244,6 +256,60 @@ TEST_F(ProgramVerbs, MeasureOfAMeshAloneGivesWhatNeedsNoSurface) {
         "distance      not measured: needs a surface (--dataset or --volume)\n", "area          22 mm²\n",
         "volume        not measured: the mesh is not closed or its triangles are not oriented alike\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "in:\n" << text;
+  }
+}
+
+TEST_F(ProgramVerbs, AnIsovalueWithoutASurfaceIsMovedOrRefused) {
+  // Two blocks of a mask that share an edge: F is 0.5 along it.
+  std::string mask;
+  for (int n = 0; n < 16 * 16 * 16; ++n) {
+    const auto within = [](int at, int first) { return at >= first && at < first + 4; };
+    const int i = n % 16;
+    const int j = n / 16 % 16;
+    const int k = n / 256;
+    mask += within(k, 4) && ((within(i, 4) && within(j, 4)) || (within(i, 8) && within(j, 8))) ? '\1' : '\0';
+  }
+  folder_.write("mask.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nencoding: raw\n\n" + mask);
+  const std::vector<std::string> surface = {"--volume", "mask.nrrd", "--isovalue", "0.5", "-q"};
+  const std::string note = "mask.nrrd: F = 0.5 touches itself or fills space in 3 cells, near (";
+  const Outcome meshed = run(with({"mesh", "--edge-length", "1", "-o", "mesh.ply"}, surface));
+  EXPECT_EQ(meshed.code, 0) << meshed.err;
+  EXPECT_NE(meshed.out.find("note          " + note), std::string::npos) << meshed.out;
+  EXPECT_NE(meshed.out.find("mesh          closed manifold\n"), std::string::npos) << meshed.out;
+  const Outcome measured = run(with({"measure", "mesh.ply", "--json"}, surface));
+  EXPECT_EQ(json_value(measured, "euler_reference"), "2");
+  EXPECT_NE(measured.err.find(note), std::string::npos) << measured.err;
+  expect(with({"mesh", "--edge-length", "1", "--exact-isovalue"}, surface), 3, "isovalue 0.5 is no regular value of F");
+  expect({"mesh", "--dataset", "torus", "--edge-length", "1", "--exact-isovalue"}, 2, "exact-isovalue = true");
+}
+
+TEST_F(ProgramVerbs, SpecksAreNamedAndLeftOutIfAskedFor) {
+  // A block, and three voxels by themselves.
+  std::string mask;
+  for (int n = 0; n < 20 * 20 * 20; ++n) {
+    const int i = n % 20;
+    const int j = n / 20 % 20;
+    const int k = n / 400;
+    const bool block = i >= 3 && i < 11 && j >= 3 && j < 11 && k >= 3 && k < 11;
+    const bool voxel = i == 15 && j == 15 && (k == 4 || k == 10 || k == 16);
+    mask += block || voxel ? '\1' : '\0';
+  }
+  folder_.write("mask.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 20\nencoding: raw\n\n" + mask);
+  const std::vector<std::string> surface = {"--volume", "mask.nrrd", "--isovalue", "0.2", "-q"};
+  for (const char* method : {"particles", "marching-cubes"}) {
+    const std::vector<std::string> mesh = with({"mesh", "--edge-length", "1", "--method", method}, surface);
+    const Outcome all = run(mesh);
+    ASSERT_EQ(all.code, 0) << all.err;
+    EXPECT_NE(all.out.find("components 4 (surface 4)"), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("mask.nrrd: 3 of 4 components of F = c enclose fewer than 10 voxels (10 mm³); "
+                           "--min-component 10 leaves them out\n"),
+              std::string::npos)
+        << all.out;
+    const Outcome one = run(with(mesh, {"--min-component", "10"}));
+    ASSERT_EQ(one.code, 0) << one.err;
+    EXPECT_NE(one.out.find("components 1 (surface 1), Euler 2 (surface 2)"), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("3 of 4 components of F = c enclose less than 10 mm³ and are left out"), std::string::npos)
+        << one.out;
   }
 }
 

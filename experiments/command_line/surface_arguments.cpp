@@ -10,13 +10,18 @@ void check(const SurfaceArguments& surface) {
   if (dataset == volume) throw UsageError("give either --dataset or --volume, and not both");
   if (volume && !surface.isovalue) throw UsageError("--volume needs --isovalue, the value of its surface");
   if (dataset && surface.isovalue) throw UsageError("--isovalue goes with --volume; a dataset has its own");
+  if (dataset && surface.choices.exact_isovalue)
+    throw UsageError("--exact-isovalue goes with --volume; a dataset's manifest states exact-isovalue = true");
 }
 
 Dataset load(const SurfaceArguments& surface, Monitor& monitor) {
   const Monitor::Stage stage = monitor.stage("prepare");
-  if (!surface.dataset.empty()) return load_dataset(surface.dataset, monitor);
+  if (!surface.dataset.empty()) return load_dataset(surface.dataset, monitor, {}, surface.choices.min_component);
   const Inside inside = surface.inside == "above" ? Inside::above : Inside::below;
-  return dataset_from_file(surface.volume, *surface.isovalue, inside, surface.smooth, Kernel::bspline, monitor);
+  return dataset_from_file(
+      surface.volume,
+      {.isovalue = *surface.isovalue, .inside = inside, .smooth_voxels = surface.smooth, .choices = surface.choices},
+      monitor);
 }
 
 }  // namespace isobench

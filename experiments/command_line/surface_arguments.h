@@ -11,10 +11,11 @@ namespace isobench {
 
 struct SurfaceArguments {
   std::string dataset;           ///< or:
-  std::filesystem::path volume;  ///< a file, with isovalue, inside, smooth
+  std::filesystem::path volume;  ///< a file, with the members below
   std::optional<double> isovalue;
   std::string inside = "above";
   double smooth = 0.0;  ///< Gaussian sigma, voxels
+  SurfaceChoices choices;
 
   bool given() const { return !dataset.empty() || !volume.empty() || isovalue.has_value(); }
 };

@@ -53,6 +53,13 @@ int measure_file(const MeasureArguments& arguments, const CommonArguments& commo
   const Measurement measurement = measure(mesh, {dataset.surface.get(), sizing ? &*sizing : nullptr}, monitor);
   console.clear();
   fmt::print("{}", arguments.json ? to_json(measurement) : summary_text(measurement));
+  // Standard output is one JSON document, if that was asked for.
+  for (const std::string& note : monitor.notes()) {
+    if (arguments.json)
+      fmt::print(stderr, "isobench: {}\n", note);
+    else
+      fmt::print("note          {}\n", note);
+  }
   return 0;
 }
 

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "isobench/datasets/topology/component_volumes.h"
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
 #include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/method.h"
+#include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/tables/summary.h"
 
 namespace isobench {
@@ -66,6 +69,23 @@ SizingRequest sizing_of(const MeshArguments& arguments, const Method& chosen, Co
   return sizing;
 }
 
+/// Whoever meshes a scan may not want its noise, and should know how to leave it out.
+void note_specks(const Dataset& dataset, Monitor& monitor) {
+  const CertifiedTopology& topology = *dataset.topology;
+  if (topology.components.size() < 2) return;
+  constexpr double speck_voxels = 10.0;
+  const double speck = speck_voxels * dataset.surface->lattice().spacing.prod();
+  const std::vector<double> volumes = component_volumes(*dataset.surface, topology);
+  std::size_t specks = 0;
+  for (std::size_t c = 0; c < volumes.size(); ++c)
+    specks += !topology.components[c].is_left_out && std::abs(volumes[c]) < speck ? 1 : 0;
+  if (specks == 0) return;
+  const std::size_t all = topology.kept_components();
+  const std::string remedy = 2 * specks > all ? fmt::format("; --min-component {:.3g} leaves them out", speck) : "";
+  monitor.note(fmt::format("{}: {} of {} components of F = c enclose fewer than {} voxels ({:.3g} mm³){}",
+                           dataset.title, specks, all, speck_voxels, speck, remedy));
+}
+
 void write_whole(const TriangleMesh& mesh, const fs::path& output) {
   PartialFile partial(output);
   write_mesh(mesh, partial.path());
@@ -91,8 +111,12 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   record.request = request;
   const Dataset dataset = load(arguments.surface, monitor);
   for (const std::string& step : dataset.preparation) console.detail("prepared: " + step);
+  note_specks(dataset, monitor);
   try {
-    const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record), dataset.surface->lattice());
+    const Bounds bounds{.most_vertices = arguments.max_vertices,
+                        .announce = [&](const std::string& expected) { console.line("expected: " + expected); }};
+    const TriangleMesh mesh =
+        to_world(mesh_and_measure(dataset, request, monitor, record, bounds), dataset.surface->lattice());
     console.clear();
     if (!arguments.output.empty()) write_whole(mesh, arguments.output);
     write_artefacts(monitor.artefacts(), dataset.surface->lattice(), arguments.artefacts);
@@ -107,7 +131,10 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
              record.peak_memory_mb);
   for (const std::string& note : monitor.notes()) fmt::print("note          {}\n", note);
   if (!arguments.output.empty()) fmt::print("written       {}\n", arguments.output.string());
-  return 0;
+  if (!method(request.method).promises_manifold || is_closed_manifold(*record.measurement)) return 0;
+  fmt::print(stderr, "isobench: {} did not end as a closed manifold, which is its fault; please report it\n",
+             request.method);
+  return 1;
 }
 
 }  // namespace isobench

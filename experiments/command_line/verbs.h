@@ -68,6 +68,7 @@ struct MeshArguments {
   std::uint64_t seed = 1;
   std::filesystem::path output;
   std::filesystem::path artefacts;  ///< folder for the medial axis, the sizing and the particles
+  std::optional<double> max_vertices;
 };
 /// Meshes one volume, prints the mesh's figures and writes it to a file.
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common);

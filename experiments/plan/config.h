@@ -82,9 +82,10 @@ struct Config {
   std::string title;
   std::vector<std::string> datasets;
   std::vector<std::uint64_t> seeds{1};
-  int repeats = 1;         ///< how often each run is made, for the spread of its seconds
-  bool timing = false;     ///< one run at a time, whatever --jobs says; the default where repeats > 1
-  bool artefacts = false;  ///< runs also keep medial axis, sizing and particles, as VTP points
+  int repeats = 1;             ///< how often each run is made, for the spread of its seconds
+  bool timing = false;         ///< one run at a time, whatever --jobs says; the default where repeats > 1
+  bool artefacts = false;      ///< runs also keep medial axis, sizing and particles, as VTP points
+  double min_component = 0.0;  ///< mm³: components of F = c that enclose less are left out of every mesh
   Sampling sampling;
   std::vector<Override> overrides;
   std::vector<Variation> variations;

@@ -87,9 +87,10 @@ std::filesystem::path read_published_path(const TomlValue& table, const std::fil
 
 Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   const TomlValue document = TomlValue::parse_file(path);
-  document.allow_keys({"title", "dataset", "seed", "repeats", "timing", "artefacts", "match", "match_to", "sampling",
-                       "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
-                      "an experiment");
+  document.allow_keys(
+      {"title", "dataset", "seed", "repeats", "timing", "artefacts", "min_component", "match", "match_to", "sampling",
+       "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
+      "an experiment");
   if (variant != ConfigVariant::stored) refuse_reference(document);
   Config config;
   config.name = path.stem().string();
@@ -107,6 +108,7 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   config.timing = config.repeats > 1;
   if (const auto timing = document.find("timing")) config.timing = timing->as_bool();
   if (const auto artefacts = document.find("artefacts")) config.artefacts = artefacts->as_bool();
+  if (const auto least = document.find("min_component")) config.min_component = positive(*least, "min_component");
   config.sampling = read_sampling(document.require("sampling"));
   check_kind(config.sampling);
   config.methods = read_methods(document);

@@ -322,6 +322,16 @@ TEST(Config, ArtefactsAreNoPartOfTheIdentity) {
   EXPECT_EQ(identity(asking), identity(read(plain)));
 }
 
+TEST(Config, ComponentsBelowAVolumeMayBeLeftOut) {
+  const Config config = read(std::string("min_component = 2.5\n") + plain);
+  EXPECT_EQ(config.min_component, 2.5);
+  EXPECT_EQ(read(plain).min_component, 0.0);
+  EXPECT_NE(to_toml(config, "").find("min_component = 2.5\n"), std::string::npos);
+  EXPECT_NE(identity(config), identity(read(plain)));
+  for (const RunRequest& request : make_plan(config)) EXPECT_EQ(request.min_component, 2.5);
+  expect_mistake(std::string("min_component = -1\n") + plain, {"config.toml:1:", "min_component"});
+}
+
 TEST(Config, SetReplacesAParameterOfEveryMethodThatHasIt) {
   Config config = read(replaced(plain, "marching-cubes", "particles") + "sweeps = [1, 2]\n[[method]]\n" +
                        "name = \"marching-cubes\"\n[[method]]\nname = \"particles\"\nlabel = \"other\"\nrounds = 1\n");

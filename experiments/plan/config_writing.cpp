@@ -110,6 +110,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   if (config.timing != (config.repeats > 1)) text += fmt::format("timing = {}\n", config.timing);
   if (config.match) text += "match = \"vertices\"\nmatch_to = " + toml(config.match->to) + "\n";
   if (config.artefacts) text += "artefacts = true\n";
+  if (config.min_component > 0.0) text += fmt::format("min_component = {}\n", toml(config.min_component));
   text += block("[sampling]", sampling_lines(config.sampling));
   for (const Override& change : config.overrides) text += override_block(change);
   for (const Variation& variation : config.variations) text += vary_block(variation);

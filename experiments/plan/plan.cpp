@@ -172,6 +172,7 @@ std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset
   request.metrics_revision = metrics_revision;
   request.alone = config.timing;
   request.artefacts = artefacts;
+  request.min_component = config.min_component;
   request.limit_minutes = limits.minutes;
   request.limit_memory_gb = limits.memory_gb;
   std::vector<RunRequest> runs;
@@ -249,6 +250,7 @@ void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector
   own.seeds = aside.seeds;
   own.sampling = aside.sampling;
   own.limits = config.limits;
+  own.min_component = config.min_component;
   for (const std::string& dataset : aside.datasets) {
     for (const MethodEntry& entry : aside.methods) {
       std::vector<RunRequest> runs = runs_of(own, dataset, entry, Change{});
@@ -290,6 +292,7 @@ std::string result_key(const RunRequest& r) {
   if (!r.match_to.empty()) key += fmt::format("match {}\n", r.match_to);
   key += fmt::format("seed {}\nmetrics {}\n", r.seed, r.metrics_revision);
   if (r.repeat > 1) key += fmt::format("repeat {}\n", r.repeat);
+  if (r.min_component > 0.0) key += fmt::format("min component {}\n", r.min_component);
   return key;
 }
 

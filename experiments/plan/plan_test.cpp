@@ -192,6 +192,7 @@ TEST(RunName, HashesAllThatDeterminesTheResultAndNothingElse) {
       [](RunRequest& r) { r.match_to = "sphere-particles-l2-s1-00000000"; },
       [](RunRequest& r) { r.seed = 2; },
       [](RunRequest& r) { r.repeat = 2; },
+      [](RunRequest& r) { r.min_component = 2.0; },
       [](RunRequest& r) { r.metrics_revision = 99; },
   };
   std::set<std::string> tails = {run_name(sample()).substr(run_name(sample()).size() - 8)};

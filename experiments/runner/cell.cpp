@@ -6,8 +6,10 @@
 #include <new>
 
 #include "isobench/experiments/plan/vertex_match.h"
+#include "isobench/experiments/runner/estimate.h"
 #include "isobench/experiments/runner/fault_injection.h"
 #include "isobench/foundation/processes/process_table.h"
+#include "isobench/methods/mesh/component_match.h"
 #include "isobench/methods/mesh/mesh_checksum.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/method.h"
@@ -44,12 +46,27 @@ Parameters parameters_of(const RunRequest& request) {
 }
 
 MeshingTask task_of(const Dataset& dataset, const RunRequest& request, double scale = 1.0) {
-  return {*dataset.surface, scaled(request.sizing, scale), parameters_of(request), request.seed};
+  return {*dataset.surface, scaled(request.sizing, scale), parameters_of(request), request.seed, dataset.topology};
 }
 
-TriangleMesh mesh(const MeshingTask& task, const RunRequest& request, Monitor& monitor) {
+TriangleMesh mesh(MeshingTask& task, const RunRequest& request, const Bounds& bounds, Monitor& monitor) {
+  const Method& chosen = method(request.method);
+  const auto check = [&](const SizingField& field) {
+    const Estimate expected = estimate(task, chosen, field, monitor);
+    if (bounds.announce) bounds.announce(to_string(expected));
+    refuse_if_too_large(expected, task, bounds.most_vertices);
+  };
+  if (!chosen.ignores_sizing) {
+    // Edges of one length are known before the work. Others are known once the method has asked for the sizing.
+    if (task.sizing.uniform())
+      check(SizingField(task.sizing.edge_length.value_or(1.0)));
+    else
+      task.when_sized = check;
+  }
   const Monitor::Stage stage = monitor.stage("mesh");
-  TriangleMesh made = method(request.method).mesh(task, monitor);
+  TriangleMesh made = chosen.mesh(task, monitor);
+  task.when_sized = nullptr;
+  drop_left_out(made, task.surface, task.topology(monitor));
   inject_fault(request, made);
   if (made.triangles.empty()) throw Error("the method returned no triangles");
   return made;
@@ -57,15 +74,16 @@ TriangleMesh mesh(const MeshingTask& task, const RunRequest& request, Monitor& m
 
 // Meshes until the number of vertices matches and keeps the nearest mesh. Only the seconds, counters and traces of that
 // attempt are kept: the other attempts are a cost of the search, not of the method.
-TriangleMesh mesh_matched(const Dataset& dataset, const RunRequest& request, double vertices, Monitor& monitor,
-                          RunRecord& record) {
+TriangleMesh mesh_matched(const Dataset& dataset, const RunRequest& request, double vertices, const Bounds& bounds,
+                          Monitor& monitor, RunRecord& record) {
   const Monitor::Bookings before = monitor.bookings();
   VertexMatch match(vertices);
   TriangleMesh nearest;
   Monitor::Bookings of_nearest;
   while (const std::optional<double> scale = match.next()) {
     monitor.restore(before);
-    TriangleMesh attempt = mesh(task_of(dataset, request, *scale), request, monitor);
+    MeshingTask task = task_of(dataset, request, *scale);
+    TriangleMesh attempt = mesh(task, request, bounds, monitor);
     match.tried(*scale, static_cast<double>(attempt.vertices.size()));
     if (match.best() + 1 < match.tries()) continue;
     nearest = std::move(attempt);
@@ -82,13 +100,13 @@ TriangleMesh load_and_mesh(const RunRequest& request, std::optional<double> matc
   Dataset dataset;
   {
     const Monitor::Stage stage = monitor.stage("prepare");
-    dataset = load_dataset(request.dataset, monitor);
+    dataset = load_dataset(request.dataset, monitor, {}, request.min_component);
   }
   if (dataset.checksum != request.dataset_checksum) {
     throw DataError("dataset '" + request.dataset + "' changed since the run was planned; start the experiment again");
   }
   record.dataset = describe(dataset);
-  TriangleMesh mesh = mesh_and_measure(dataset, request, monitor, record, match_vertices);
+  TriangleMesh mesh = mesh_and_measure(dataset, request, monitor, record, {.match_vertices = match_vertices});
   return to_world(std::move(mesh), dataset.surface->lattice());
 }
 
@@ -101,13 +119,8 @@ double peak_memory_mb() {
 
 DatasetRecord describe(const Dataset& dataset) {
   const Isosurface& surface = *dataset.surface;
-  return {dataset.title,
-          dataset.source,
-          dataset.preparation,
-          surface.lattice(),
-          surface.isovalue(),
-          to_string(surface.inside()),
-          to_string(surface.kernel())};
+  return {dataset.title,      dataset.source,         dataset.preparation,         surface.lattice(),
+          surface.isovalue(), dataset.asked_isovalue, to_string(surface.inside()), to_string(surface.kernel())};
 }
 
 RunRecord begin_record(const RunRequest& request, int threads) {
@@ -126,13 +139,13 @@ MeasuredAgain measured_now() {
 }
 
 TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record,
-                              std::optional<double> match_vertices) {
-  const MeshingTask task = task_of(dataset, request);
+                              const Bounds& bounds) {
+  MeshingTask task = task_of(dataset, request);
   TriangleMesh result;
-  if (match_vertices) {
-    result = mesh_matched(dataset, request, *match_vertices, monitor, record);
+  if (bounds.match_vertices) {
+    result = mesh_matched(dataset, request, *bounds.match_vertices, bounds, monitor, record);
   } else {
-    result = mesh(task, request, monitor);
+    result = mesh(task, request, bounds, monitor);
     record.peak_memory_mb = std::max(peak_memory_mb(), monitor.program_memory_mb());
   }
   monitor.keep_artefacts(false);  // the sizing below is for the measurement
@@ -142,7 +155,7 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     sizing = task.sizing_field(monitor);
     record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
   }
-  record.measurement = measure(result, {dataset.surface.get(), sizing.get()}, monitor);
+  record.measurement = measure(result, {dataset.surface.get(), sizing.get(), dataset.topology.get()}, monitor);
   return result;
 }
 

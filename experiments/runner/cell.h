@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/reports/record/record.h"
@@ -12,14 +14,20 @@ namespace isobench {
 /// Peak memory of this process so far, MB (10⁶ bytes).
 double peak_memory_mb();
 
+/// How many vertices a mesh shall and may have.
+struct Bounds {
+  /// Scales the sizing of the method until the mesh has about this number of vertices (VertexMatch) and keeps the mesh
+  /// that comes nearest. That mesh is measured against the sizing of the request, not the scaled one.
+  std::optional<double> match_vertices = std::nullopt;
+  std::optional<double> most_vertices = std::nullopt;              ///< more are refused before the work
+  std::function<void(const std::string& expected)> announce = {};  ///< called with what the mesh is expected to cost
+};
+
 /// Meshes and measures a loaded dataset as requested (stages "mesh" and "measure"). Writes sizing, measurement and peak
 /// memory into the record. Returns the mesh in the lattice frame, with its data arrays. Throws what the method and the
-/// metrics throw.
-///
-/// `match_vertices` scales the sizing of the method until the mesh has about this number of vertices (VertexMatch) and
-/// keeps the mesh that comes nearest. That mesh is measured against the sizing of the request, not the scaled one.
+/// metrics throw, and UsageError for a mesh that would be too large (estimate.h).
 TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request, Monitor& monitor, RunRecord& record,
-                              std::optional<double> match_vertices = std::nullopt);
+                              const Bounds& bounds = {});
 
 /// The part of a record that describes a loaded dataset.
 DatasetRecord describe(const Dataset& dataset);

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "isobench/datasets/manifests/catalogue.h"
-#include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
 #include "isobench/experiments/runner/store.h"
@@ -21,15 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Dataset, topology and sizing field of the present run. Runs are sorted so that each of these is made once.
+// The dataset and the sizing field of the present run. Runs are sorted so that each of these is made once.
 class Surfaces {
  public:
   const Dataset& dataset(const RunRequest& request, Monitor& monitor) {
-    if (dataset_.surface == nullptr || name_ != request.dataset) {
+    if (dataset_.surface == nullptr || name_ != request.dataset || min_component_ != request.min_component) {
       field_.reset();
-      topology_.reset();
       name_ = request.dataset;
-      dataset_ = load_dataset(request.dataset, monitor);
+      min_component_ = request.min_component;
+      dataset_ = load_dataset(request.dataset, monitor, {}, request.min_component);
     }
     if (dataset_.checksum != request.dataset_checksum) {
       throw DataError("dataset '" + request.dataset + "' has changed since it was meshed; run the experiment again");
@@ -44,18 +43,13 @@ class Surfaces {
     }
     return *field_;
   }
-  const CertifiedTopology& topology(const RunRequest& request, Monitor& monitor) {
-    const Dataset& of = dataset(request, monitor);
-    if (!topology_) topology_ = certified_topology(*of.surface, monitor);
-    return *topology_;
-  }
 
  private:
   std::string name_;
+  double min_component_ = 0.0;
   Dataset dataset_;
   std::string key_;
   std::optional<SizingField> field_;
-  std::optional<CertifiedTopology> topology_;
 };
 
 TriangleMesh stored_mesh(const fs::path& path, const RunRecord& record) {
@@ -72,9 +66,13 @@ TriangleMesh stored_mesh(const fs::path& path, const RunRecord& record) {
 void measure_again(RunRecord& record, TriangleMesh& mesh, Surfaces& surfaces, Monitor& monitor) {
   const RunRequest& request = record.request;
   const Dataset& dataset = surfaces.dataset(request, monitor);
+  if (record.dataset && record.dataset->isovalue != dataset.surface->isovalue()) {
+    throw DataError(fmt::format("the mesh is of isovalue {}, and dataset '{}' now has {}; run it again",
+                                record.dataset->isovalue, request.dataset, dataset.surface->isovalue()));
+  }
   const SizingField& sizing = surfaces.field(request, monitor);
   TriangleMesh local = to_local(mesh, dataset.surface->lattice());
-  record.measurement = measure(local, {dataset.surface.get(), &sizing, &surfaces.topology(request, monitor)}, monitor);
+  record.measurement = measure(local, {dataset.surface.get(), &sizing, dataset.topology.get()}, monitor);
   record.sizing = SizingRecord{sizing.uniform(), sizing.floor_length(), sizing.smallest(), sizing.largest()};
   record.measured_again = measured_now();
   mesh.vertex_data = std::move(local.vertex_data);

@@ -142,16 +142,16 @@ TEST_F(Remeasure, UnfinishedRunsHaveNothingToMeasure) {
 TEST_F(Remeasure, AddsFiguresThatTheRecordDidNotKnow) {
   for (std::size_t n : {0, 1}) {
     RunRecord old = record(n);
-    old.measurement->set_unknown(figure_index("area"));
-    old.measurement->set_unknown(figure_index("volume"));
+    for (const char* figure : {"area", "volume", "components_lost", "components_joined", "components_different"})
+      old.measurement->set_unknown(figure_index(figure));
     write_record(old, run(n) / "run.json");
   }
   ASSERT_EQ(run_program(folder_.path(), {"report", "results/x"}).code, 0);
-  EXPECT_TRUE(read_text_or_empty(results() / "results.csv").ends_with(",,\n"));
+  EXPECT_TRUE(read_text_or_empty(results() / "results.csv").ends_with(",,,,,\n"));
   EXPECT_EQ(measure().code, 0);
   EXPECT_GT(record(0).measurement->number("area"), 0.0);
   EXPECT_GT(record(1).measurement->number("volume"), 0.0);
-  EXPECT_FALSE(read_text_or_empty(results() / "results.csv").ends_with(",,\n"));
+  EXPECT_TRUE(read_text_or_empty(results() / "results.csv").ends_with(",0,0,0\n"));
 }
 
 TEST_F(Remeasure, OfAFolderTakesNoOptionsOfAFile) {

@@ -8,6 +8,7 @@
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/particles/cure/cure.h"
 #include "isobench/methods/particles/cure/local_relaxation.h"
+#include "isobench/methods/particles/sampling/component_seeds.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 
 namespace isobench {
@@ -59,11 +60,13 @@ class Mesher {
  private:
   void seed() {
     const auto stage = monitor_.stage("seeds");
-    lattice_mesh_ = marching_cubes(task_.surface, monitor_);
-    const double ideal = task_.sizing.vertices.value_or(particles::ideal_count(sized_, lattice_mesh_));
-    sites_ = particles::make_particles(
-        sized_, particles::eliminate_to_seeds(sized_, lattice_mesh_, static_cast<std::size_t>(std::llround(ideal)),
-                                              task_.parameters.number("candidates"), task_.seed, monitor_));
+    const TriangleMesh lattice_mesh = marching_cubes(task_.surface, monitor_);
+    const double ideal = task_.sizing.vertices.value_or(particles::ideal_count(sized_, lattice_mesh));
+    std::vector<Eigen::Vector3d> seeds =
+        particles::eliminate_to_seeds(sized_, lattice_mesh, static_cast<std::size_t>(std::llround(ideal)),
+                                      task_.parameters.number("candidates"), task_.seed, monitor_);
+    particles::add_component_seeds(task_.topology(monitor_), sized_, seeds);
+    sites_ = particles::make_particles(sized_, std::move(seeds));
     monitor_.set("cvt/seeds", static_cast<double>(sites_.size()));
   }
 
@@ -84,14 +87,13 @@ class Mesher {
     LabelledDelaunay delaunay(sites_.points, task_.surface, monitor_);
     particles::CureOptions options;
     options.rounds = task_.parameters.integer("cure");
-    record_cure(particles::cure(sized_, lattice_mesh_, sites_, delaunay, options, monitor_), monitor_);
+    record_cure(particles::cure(sized_, task_.topology(monitor_), sites_, delaunay, options, monitor_), monitor_);
     return delaunay.triangles();
   }
 
   const MeshingTask& task_;
   particles::SizedSurface& sized_;
   Monitor& monitor_;
-  TriangleMesh lattice_mesh_;
   particles::Particles sites_;
 };
 
@@ -111,7 +113,7 @@ Method method_cvt() {
   method.summary =
       "Centroidal Voronoi tessellation of F = c with density 1/h^4, by Lloyd's iterations and L-BFGS, closed by a "
       "sign-labelled Delaunay triangulation (Du, Faber, Gunzburger 1999; Liu, Wang, Levy et al. 2009)";
-  method.revision = 2;
+  method.revision = 3;
   method.parameters = {
       {"contraction",
        1.5,

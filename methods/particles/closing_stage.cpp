@@ -1,5 +1,7 @@
 #include "isobench/methods/particles/closing_stage.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
@@ -19,10 +21,11 @@ void record_defects(const Defects& defects, const std::string& when, Monitor& mo
   monitor.set("cure/tilted " + when, static_cast<double>(defects.tilted));
   monitor.set("cure/crossed " + when, static_cast<double>(defects.crossed));
   monitor.set("cure/lost components " + when, static_cast<double>(defects.lost));
+  monitor.set("cure/differing components " + when, static_cast<double>(defects.differing));
 }
 
-std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& sized, const TriangleMesh& lattice_mesh,
-                                      Particles& particles, Monitor& monitor) {
+std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& sized, Particles& particles,
+                                      Monitor& monitor) {
   LabelledDelaunay delaunay(particles.points, task.surface, monitor);
   CureOptions options;
   options.relaxations = task.parameters.integer("cure_relaxations");
@@ -31,7 +34,7 @@ std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& siz
   options.population = population_limits(task);
   if (options.rounds > 0) {
     const auto stage = monitor.stage("cure");
-    const CureResult cured = cure(sized, lattice_mesh, particles, delaunay, options, monitor);
+    const CureResult cured = cure(sized, task.topology(monitor), particles, delaunay, options, monitor);
     record_defects(cured.before, "before", monitor);
     record_defects(cured.after, "after", monitor);
     monitor.set("cure/rounds", cured.rounds);
@@ -39,6 +42,10 @@ std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& siz
     monitor.set("cure/relaxations", cured.relaxations);
     monitor.set("cure/relaxed", static_cast<double>(cured.relaxed));
     monitor.set("cure/labels changed", static_cast<double>(cured.flipped));
+    if (cured.after.all() > 0) {
+      monitor.note(fmt::format("the cure left {} defects: the topology of the mesh may differ from the surface's",
+                               cured.after.all()));
+    }
   }
   return delaunay.triangles();
 }
@@ -57,13 +64,12 @@ std::vector<Triangle> close_by_cocone(const MeshingTask& task, const Particles& 
 
 }  // namespace
 
-TriangleMesh close_particles(const MeshingTask& task, SizedSurface& sized, const TriangleMesh& lattice_mesh,
-                             Particles particles, Monitor& monitor) {
+TriangleMesh close_particles(const MeshingTask& task, SizedSurface& sized, Particles particles, Monitor& monitor) {
   TriangleMesh result;
   if (task.parameters.text("surface") == "tight-cocone") {
     result.triangles = close_by_cocone(task, particles, monitor);
   } else {
-    result.triangles = close_by_labels(task, sized, lattice_mesh, particles, monitor);
+    result.triangles = close_by_labels(task, sized, particles, monitor);
   }
   result.vertices = std::move(particles.points);
   monitor.set("particles/unused", static_cast<double>(drop_unused_vertices(result)));

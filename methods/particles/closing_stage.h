@@ -9,7 +9,6 @@ namespace isobench::particles {
 /// Closes the particles as the parameter `surface` says. With `labelled-delaunay`, the cure (stage "cure") adds bounds
 /// to `sized` and changes the particles. Counters "cocone/…" or "cure/…", and "particles/unused" for particles without
 /// a triangle.
-TriangleMesh close_particles(const MeshingTask& task, SizedSurface& sized, const TriangleMesh& lattice_mesh,
-                             Particles particles, Monitor& monitor);
+TriangleMesh close_particles(const MeshingTask& task, SizedSurface& sized, Particles particles, Monitor& monitor);
 
 }  // namespace isobench::particles

@@ -47,7 +47,7 @@ TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   TriangleMesh mesh;
   {
     const auto stage = monitor.stage("triangulation");
-    mesh = close_particles(task, sized, lattice_mesh, std::move(particles), monitor);
+    mesh = close_particles(task, sized, std::move(particles), monitor);
   }
   if (const int rounds = task.parameters.integer("finish"); rounds > 0) {
     const auto stage = monitor.stage("finish");

@@ -7,6 +7,7 @@
 #include "isobench/methods/particles/relaxation/biased_population_control.h"
 #include "isobench/methods/particles/relaxation/gauss_seidel.h"
 #include "isobench/methods/particles/relaxation/newton.h"
+#include "isobench/methods/particles/sampling/component_seeds.h"
 #include "isobench/methods/particles/sampling/critical_seeds.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 
@@ -77,7 +78,7 @@ PopulationLimits population_limits(const MeshingTask& task) {
   return {task.parameters.number("split_below"), task.parameters.number("delete_above")};
 }
 
-Particles seed_particles(const MeshingTask& task, const SizedSurface& sized, const TriangleMesh& lattice_mesh,
+Particles seed_particles(const MeshingTask& task, SizedSurface& sized, const TriangleMesh& lattice_mesh,
                          const std::vector<CriticalPoint>& below_floor, Monitor& monitor) {
   std::vector<Eigen::Vector3d> points;
   if (task.parameters.text("seeds") == from_lattice) {
@@ -88,6 +89,10 @@ Particles seed_particles(const MeshingTask& task, const SizedSurface& sized, con
                                 task.parameters.number("candidates"), task.seed, monitor);
   }
   if (!below_floor.empty()) add_critical_seeds(below_floor, sized, task.seed, points);
+  if (task.parameters.integer("cure") > 0) {
+    const std::size_t small = add_component_seeds(task.topology(monitor), sized, points);
+    monitor.set("particles/small components", static_cast<double>(small));
+  }
   monitor.set("particles/seeds", static_cast<double>(points.size()));
   return make_particles(sized, std::move(points));
 }

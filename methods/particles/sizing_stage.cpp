@@ -71,8 +71,10 @@ bool has_own_sizing(const MeshingTask& task) { return sizing_stages(task) != Siz
 std::shared_ptr<const SizingField> follow_sizing(const MeshingTask& task, Monitor& monitor) {
   if (has_own_sizing(task)) {
     const auto stage = monitor.stage("sizing");
-    return std::make_shared<const SizingField>(
-        make_sizing_field(task.surface, task.sizing, monitor, sizing_stages(task)));
+    auto own =
+        std::make_shared<const SizingField>(make_sizing_field(task.surface, task.sizing, monitor, sizing_stages(task)));
+    if (task.when_sized) task.when_sized(*own);
+    return own;
   }
   auto field = task.sizing_field(monitor);
   // Limiting further makes h smaller, so the gradient stays below the δ that was asked for.

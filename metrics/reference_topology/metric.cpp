@@ -7,7 +7,7 @@ void measure(MetricInput& input, MetricOutput& output) {
   const CertifiedTopology& topology = input.topology();
   // χ of a surface that ends at the lattice's border is not what a closed mesh should have.
   if (!topology.is_regular || topology.is_open) return;
-  output.set("components_reference", static_cast<double>(topology.components.size()));
+  output.set("components_reference", static_cast<double>(topology.kept_components()));
   output.set("euler_reference", static_cast<double>(topology.euler));
 }
 
@@ -25,14 +25,15 @@ Metric metric_reference_topology() {
       {.name = "components_reference",
        .definition = "Connected components of the surface F = c itself, proven without a mesh or samples: bounds on F "
                      "from its Bernstein coefficients show that the surface is one disc, or nothing, in each of many "
-                     "boxes. Discs that share an edge are connected.",
+                     "boxes. Discs that share an edge are connected. Components below min_component are left out.",
        .kind = Kind::count,
        .compared = Compared::exactly,
        .unmeasured = unmeasured,
        .column = 21},
       {.name = "euler_reference",
        .definition = "Euler characteristic of the surface F = c itself, proven as components_reference is: points on "
-                     "the edges of the boxes − arcs on their faces + discs in them.",
+                     "the edges of the boxes − arcs on their faces + discs in them. Components below min_component are "
+                     "left out.",
        .kind = Kind::integer,
        .compared = Compared::exactly,
        .unmeasured = unmeasured,

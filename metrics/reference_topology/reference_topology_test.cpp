@@ -99,13 +99,12 @@ TEST(ReferenceTopology, IsNotMeasuredWhereTheSurfaceLeavesTheVolume) {
 
 TEST(ReferenceTopology, IsTakenFromTheCallerWhoHasIt) {
   const Isosurface surface(sample_phantom(phantom("sphere"), 32), 0.0);
-  CertifiedTopology known;
-  known.is_regular = true;
-  known.euler = -6;
-  known.components.resize(3);
+  Monitor monitor;
+  const Isosurface other(sample_phantom(phantom("two-spheres"), 48), 0.0);
+  const CertifiedTopology known = certified_topology(other, monitor);
   const Measurement found = measured({.surface = &surface, .topology = &known});
-  EXPECT_EQ(found.figure("euler_reference"), -6.0);
-  EXPECT_EQ(found.figure("components_reference"), 3.0);
+  EXPECT_EQ(found.figure("euler_reference"), 4.0);
+  EXPECT_EQ(found.figure("components_reference"), 2.0);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "components_reference,euler,euler_reference,boundary_edges,nonmanifold_edges,"
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
-            "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume");
+            "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume,"
+            "components_lost,components_joined,components_different");
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {

@@ -54,7 +54,9 @@ void add_dataset(const DatasetRecord& dataset, Facts& facts) {
   facts.add("lattice", fmt::format("{} × {} × {}, {} × {} × {} mm", size[0], size[1], size[2], spacing.x(), spacing.y(),
                                    spacing.z()));
   facts.add("preparation", fmt::format("{}", fmt::join(dataset.preparation, "; ")));
-  facts.add("surface", fmt::format("F = {}, inside {}, {}", dataset.isovalue, dataset.inside, dataset.kernel));
+  const std::string asked =
+      dataset.asked_isovalue ? fmt::format(" (asked for {}, which is no regular value)", *dataset.asked_isovalue) : "";
+  facts.add("surface", fmt::format("F = {}{}, inside {}, {}", dataset.isovalue, asked, dataset.inside, dataset.kernel));
 }
 
 void add_environment(const RunRecord& record, Facts& facts) {

@@ -51,6 +51,7 @@ Json request_to_json(const RunRequest& r) {
           {"alone", r.alone},
           {"artefacts", r.artefacts},
           {"aside", r.aside},
+          {"min_component", number(r.min_component)},
           {"metrics_revision", r.metrics_revision},
           {"limit_minutes", number(r.limit_minutes)},
           {"limit_memory_gb", number(r.limit_memory_gb)}};
@@ -93,6 +94,7 @@ RunRequest request_from_json(const Json& json) {
   r.alone = json.value("alone", false);
   r.artefacts = json.value("artefacts", false);
   r.aside = json.value("aside", false);
+  r.min_component = json.value("min_component", 0.0);  // older plans have none
   r.metrics_revision = integer<int>(json.at("metrics_revision"));
   r.limit_minutes = optional_number(json.at("limit_minutes"));
   r.limit_memory_gb = optional_number(json.at("limit_memory_gb"));

@@ -36,10 +36,11 @@ struct RunRequest {
   SizingRequest sizing;
   std::string match_to;  ///< the run whose number of vertices this one is matched to; "" if none
   std::uint64_t seed = 1;
-  int repeat = 1;          ///< number of the repeat; a run is repeated to measure its seconds again
-  bool alone = false;      ///< nothing else of its experiment runs at the same time, so that its seconds count
-  bool artefacts = false;  ///< also store the medial axis, the sizing and the particles
-  bool aside = false;      ///< for a plot of its own; the tables that compare leave it out
+  int repeat = 1;              ///< number of the repeat; a run is repeated to measure its seconds again
+  bool alone = false;          ///< nothing else of its experiment runs at the same time, so that its seconds count
+  bool artefacts = false;      ///< also store the medial axis, the sizing and the particles
+  bool aside = false;          ///< for a plot of its own; the tables that compare leave it out
+  double min_component = 0.0;  ///< mm³: components of F = c that enclose less are left out
   int metrics_revision = 1;
   std::optional<double> limit_minutes;
   std::optional<double> limit_memory_gb;
@@ -62,8 +63,9 @@ struct DatasetRecord {
   std::vector<std::string> preparation;
   Lattice lattice;
   double isovalue = 0.0;
-  std::string inside;  ///< "above" or "below"
-  std::string kernel;  ///< as to_string(Kernel) names it
+  std::optional<double> asked_isovalue;  ///< set if that is no regular value of F, and `isovalue` is taken instead
+  std::string inside;                    ///< "above" or "below"
+  std::string kernel;                    ///< as to_string(Kernel) names it
 };
 
 /// The result of matching. The mesh is measured against the sizing as it was asked for, before scaling.

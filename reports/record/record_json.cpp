@@ -41,17 +41,19 @@ Environment environment_from_json(const Json& json) {
 Json dataset_to_json(const DatasetRecord& d) {
   Json direction = Json::array();
   for (int axis = 0; axis < 3; ++axis) direction.push_back(vector_to_json(d.lattice.direction.col(axis)));
-  return {{"title", d.title},
-          {"source", d.source},
-          {"preparation", d.preparation},
-          {"size", d.lattice.size},
-          {"spacing", vector_to_json(d.lattice.spacing)},
-          {"origin", vector_to_json(d.lattice.origin)},
-          {"direction", direction},
-          {"space", d.lattice.space},
-          {"isovalue", number(d.isovalue)},
-          {"inside", d.inside},
-          {"kernel", d.kernel}};
+  Json json = {{"title", d.title},
+               {"source", d.source},
+               {"preparation", d.preparation},
+               {"size", d.lattice.size},
+               {"spacing", vector_to_json(d.lattice.spacing)},
+               {"origin", vector_to_json(d.lattice.origin)},
+               {"direction", direction},
+               {"space", d.lattice.space},
+               {"isovalue", number(d.isovalue)},
+               {"inside", d.inside},
+               {"kernel", d.kernel}};
+  if (d.asked_isovalue) json["asked_isovalue"] = number(*d.asked_isovalue);
+  return json;
 }
 
 DatasetRecord dataset_from_json(const Json& json) {
@@ -67,6 +69,7 @@ DatasetRecord dataset_from_json(const Json& json) {
   for (int axis = 0; axis < 3; ++axis) d.lattice.direction.col(axis) = vector_from_json(json.at("direction").at(axis));
   d.lattice.space = json.at("space").get<std::string>();
   read(json.at("isovalue"), d.isovalue);
+  if (const auto asked = json.find("asked_isovalue"); asked != json.end()) read(*asked, d.asked_isovalue.emplace());
   d.inside = json.at("inside").get<std::string>();
   d.kernel = json.at("kernel").get<std::string>();
   return d;

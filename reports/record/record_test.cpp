@@ -68,6 +68,16 @@ TEST(Record, AFigureThatWasNotMeasuredIsNullAndComesBackSo) {
   EXPECT_EQ(to_json(back), text);
 }
 
+TEST(Record, KeepsTheIsovalueAskedForAndWhatIsLeftOut) {
+  RunRecord record = sample_record("skull", "particles");
+  EXPECT_EQ(to_json(record).find("asked_isovalue"), std::string::npos) << "it is the one that was taken";
+  record.request.min_component = 2.5;
+  record.dataset->asked_isovalue = 0.5;
+  const RunRecord back = record_from_json(to_json(record), "test");
+  EXPECT_EQ(back.request.min_component, 2.5);
+  EXPECT_EQ(back.dataset->asked_isovalue, 0.5);
+}
+
 // What version 0.1.0 wrote: no area and volume, valences without bounds.
 TEST(Record, OfAnEarlierVersionDoesNotKnowLaterFigures) {
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(to_json(sample_record("skull", "particles")));
@@ -78,6 +88,7 @@ TEST(Record, OfAnEarlierVersionDoesNotKnowLaterFigures) {
   json["figures"]["of_another_program"] = 3.0;
   json["figures"]["reference_k"] = 3;
   json["request"]["reference_k"] = 3;
+  json["request"].erase("min_component");
   const RunRecord back = record_from_json(json.dump(), "test");
   EXPECT_FALSE(back.measurement->is_known(figure_index("area")));
   EXPECT_FALSE(back.measurement->is_known(figure_index("edge_over_own_h0_max")));

@@ -166,9 +166,8 @@ Table methods_table(const RunGrid& runs) {
   }
   table.remarks = {
       "Averages are over the finished runs, with equal weights. A mesh has the correct χ and components if it is a "
-      "closed manifold and both numbers are those of the surface F = c: see the reference in the topology table. Runs "
-      "without "
-      "that reference do not count there."};
+      "closed manifold and both numbers are those of the surface F = c: see the reference in the topology table, "
+      "without which a run does not count there."};
   say_how_timed(runs, table);
   return table;
 }

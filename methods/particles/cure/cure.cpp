@@ -9,10 +9,12 @@
 #include <functional>
 #include <numeric>
 
+#include "isobench/methods/mesh/component_match.h"
 #include "isobench/methods/particles/cure/dual_edge_crossings.h"
 #include "isobench/methods/particles/cure/facet_fans.h"
-#include "isobench/methods/particles/cure/lattice_components.h"
 #include "isobench/methods/particles/cure/local_relaxation.h"
+#include "isobench/methods/particles/cure/lost_components.h"
+#include "isobench/methods/particles/sampling/component_seeds.h"
 
 namespace isobench::particles {
 
@@ -42,14 +44,14 @@ struct Findings {
 
 class Curing {
  public:
-  Curing(SizedSurface& sized, const TriangleMesh& lattice_mesh, Particles& particles, LabelledDelaunay& delaunay,
+  Curing(SizedSurface& sized, const CertifiedTopology& topology, Particles& particles, LabelledDelaunay& delaunay,
          const CureOptions& options)
       : sized_(sized),
         options_(options),
-        components_(lattice_mesh),
+        topology_(topology),
         particles_(particles),
         delaunay_(delaunay),
-        component_(components_.components_of(particles.points)),
+        component_(components_at(topology, particles.points)),
         has_facet_(particles.size(), 1) {
     check_all_next();
   }
@@ -57,6 +59,27 @@ class Curing {
   CureResult run(Monitor& monitor) {
     Findings found = find_defects();
     result_.before = found.defects;
+    constexpr int most_comparisons = 3;
+    for (int comparison = 0;; ++comparison) {
+      remove_defects(found, monitor);
+      if (found.defects.all() > 0) break;
+      const std::vector<char> differing = differing_components();
+      found.defects.differing = static_cast<std::size_t>(std::count(differing.begin(), differing.end(), 1));
+      if (found.defects.differing == 0 || comparison == most_comparisons) break;
+      proposed_.clear();
+      relaxation_centres_.clear();
+      for (const Eigen::Vector3d& x : small_places(differing)) propose(x, 0);
+      if (insert_proposals() == 0) break;
+      if (options_.relaxations > 0) relax(monitor);
+      check_all_next();
+      found = find_defects();
+    }
+    result_.after = found.defects;
+    return result_;
+  }
+
+ private:
+  void remove_defects(Findings& found, Monitor& monitor) {
     while (found.defects.all() > 0 && result_.relaxations < options_.relaxations) {
       monitor.progress(static_cast<double>(result_.relaxations) / options_.relaxations);
       add_particles(found);
@@ -71,11 +94,36 @@ class Curing {
       found = find_defects();
     }
     cut_pinches(found);
-    result_.after = found.defects;
-    return result_;
   }
 
- private:
+  std::vector<char> differing_components() const {
+    const TriangleMesh mesh{particles_.points, delaunay_.triangles(), {}, {}};
+    const std::vector<Shown> shown = match_components(mesh, sized_.surface(), topology_).shown;
+    std::vector<char> differing(shown.size());
+    std::transform(shown.begin(), shown.end(), differing.begin(),
+                   [](Shown is) { return is == Shown::right || is == Shown::left_out ? 0 : 1; });
+    return differing;
+  }
+
+  // The points on F = c in the smallest boxes of these components: where tunnels and bridges are decided.
+  std::vector<Eigen::Vector3d> small_places(const std::vector<char>& components) const {
+    constexpr std::size_t most = 256;  // for each component
+    std::vector<std::vector<SurfaceBox>> boxes(components.size());
+    topology_.boxes->for_each([&](const SurfaceBox& box) {
+      if (components[box.component] != 0) boxes[box.component].push_back(box);
+    });
+    std::vector<Eigen::Vector3d> places;
+    for (std::vector<SurfaceBox>& of : boxes) {
+      std::stable_sort(of.begin(), of.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+      if (of.size() > most) of.resize(most);
+      for (const SurfaceBox& box : of) {
+        const auto foot = sized_.surface().project(0.5 * (box.box.low + box.box.high));
+        if (foot) places.push_back(*foot);
+      }
+    }
+    return places;
+  }
+
   void check_all_next() {
     unchecked_.resize(particles_.size());
     std::iota(unchecked_.begin(), unchecked_.end(), 0U);
@@ -131,7 +179,7 @@ class Curing {
     for (std::uint32_t n = 0; n < facets_.size(); ++n) {
       if (defective[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
     }
-    lost_components_ = components_.missing(component_, has_facet_);
+    lost_components_ = lost_components(sized_.surface(), topology_, component_, has_facet_);
     found.defects.lost = lost_components_.size();
 
     unchecked_ = found.isolated;
@@ -171,6 +219,11 @@ class Curing {
         if (foot) propose(*foot, 0);
       }
     }
+    return insert_proposals();
+  }
+
+  // Adds the proposed particles, which become centres of the next relaxation, too, and returns how many.
+  std::size_t insert_proposals() {
     const Particles added = make_particles(sized_, thinned_proposals());
     exchange({{}, added});
     relaxation_centres_.insert(relaxation_centres_.end(), added.points.begin(), added.points.end());
@@ -197,7 +250,7 @@ class Curing {
     erase_marked(component_, is_removed);
     erase_marked(has_facet_, is_removed);
     for (std::size_t n = 0; n < exchanged.added.size(); ++n) particles_.add(exchanged.added, n);
-    const std::vector<std::uint32_t> added_components = components_.components_of(exchanged.added.points);
+    const std::vector<std::uint32_t> added_components = components_at(topology_, exchanged.added.points);
     component_.insert(component_.end(), added_components.begin(), added_components.end());
     has_facet_.resize(particles_.size(), 1);
 
@@ -256,7 +309,7 @@ class Curing {
 
   SizedSurface& sized_;
   const CureOptions options_;
-  LatticeComponents components_;
+  const CertifiedTopology& topology_;
   Particles& particles_;
   LabelledDelaunay& delaunay_;
   std::vector<std::uint32_t> component_;                       // of each particle
@@ -271,9 +324,9 @@ class Curing {
 
 }  // namespace
 
-CureResult cure(SizedSurface& sized, const TriangleMesh& lattice_mesh, Particles& particles, LabelledDelaunay& delaunay,
-                const CureOptions& options, Monitor& monitor) {
-  return Curing(sized, lattice_mesh, particles, delaunay, options).run(monitor);
+CureResult cure(SizedSurface& sized, const CertifiedTopology& topology, Particles& particles,
+                LabelledDelaunay& delaunay, const CureOptions& options, Monitor& monitor) {
+  return Curing(sized, topology, particles, delaunay, options).run(monitor);
 }
 
 }  // namespace isobench::particles

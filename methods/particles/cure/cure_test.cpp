@@ -22,7 +22,8 @@ struct Case {
       : surface(sample_phantom(phantom(name), nodes), 0.0),
         field(edge_length),
         sized(surface, field),
-        lattice_mesh(marching_cubes(surface, monitor)) {
+        topology(certified_topology(surface, monitor)) {
+    const TriangleMesh lattice_mesh = marching_cubes(surface, monitor);
     const auto count = static_cast<std::size_t>(particles::ideal_count(sized, lattice_mesh));
     all = particles::make_particles(sized, particles::eliminate_to_seeds(sized, lattice_mesh, count, 4.0, 1, monitor));
     particles::relax_by_newton(sized, all, 20, monitor);
@@ -31,7 +32,7 @@ struct Case {
   CureResult run(int rounds = 30, int relaxations = 0) {
     LabelledDelaunay delaunay(all.points, surface, monitor);
     const CureResult cured =
-        particles::cure(sized, lattice_mesh, all, delaunay, {.relaxations = relaxations, .rounds = rounds}, monitor);
+        particles::cure(sized, topology, all, delaunay, {.relaxations = relaxations, .rounds = rounds}, monitor);
     mesh = TriangleMesh{all.points, delaunay.triangles(), {}, {}};
     return cured;
   }
@@ -40,7 +41,7 @@ struct Case {
   Isosurface surface;
   SizingField field;
   SizedSurface sized;
-  TriangleMesh lattice_mesh;
+  CertifiedTopology topology;
   Particles all;
   TriangleMesh mesh;
 };
@@ -104,8 +105,7 @@ TEST(ParticlesCure, RelaxesUntilNoDefectIsLeft) {
     // A new triangulation of the cured particles gives the same mesh and has no defects.
     LabelledDelaunay again(sheets.all.points, sheets.surface, sheets.monitor);
     EXPECT_EQ(again.triangles(), sheets.mesh.triangles);
-    const CureResult nothing =
-        particles::cure(sheets.sized, sheets.lattice_mesh, sheets.all, again, {}, sheets.monitor);
+    const CureResult nothing = particles::cure(sheets.sized, sheets.topology, sheets.all, again, {}, sheets.monitor);
     EXPECT_EQ(nothing.before.all(), 0U);
   }
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "isobench/methods/particles/relaxation/newton.h"
+#include "isobench/methods/particles/sampling/neighbours.h"
 
 namespace isobench::particles {
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double shrink_factor = 0.7;
 constexpr double shrunk_radius = 1.2;   // times the spacing at a point
+constexpr double least_distance = 0.5;  // between points that get a bound, times the spacing
 constexpr double relaxed_radius = 2.0;  // times the spacing; 3 has the same effect but moves two thirds more particles
 constexpr int population_controls = 2;
 constexpr int sweeps_between = 6;  // before, between and after the population controls
@@ -21,9 +23,18 @@ constexpr int sweeps_between = 6;  // before, between and after the population c
 }  // namespace
 
 void shrink_around(const std::vector<Eigen::Vector3d>& points, SizedSurface& sized, double least_h) {
+  // Points that are close to another one would add nothing but bounds, and each value of h looks at all bounds that
+  // reach it.
+  std::vector<double> reach(points.size());
+  for (std::size_t n = 0; n < points.size(); ++n) reach[n] = least_distance * sized.spacing(points[n]);
+  const NeighbourLists near = find_neighbours(points, reach);
+  std::vector<char> kept(points.size(), 0);
   std::vector<SizeBound> bounds;
-  bounds.reserve(points.size());
-  for (const Eigen::Vector3d& x : points) {
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto others = near.of(n);
+    kept[n] = std::none_of(others.begin(), others.end(), [&](std::uint32_t m) { return m < n && kept[m] != 0; });
+    if (kept[n] == 0) continue;
+    const Eigen::Vector3d& x = points[n];
     const double spacing = sized.spacing(x);
     const double h = spacing * sized.contraction();
     bounds.push_back({x, std::min(h, std::max(least_h, shrink_factor * h)), shrunk_radius * spacing, spacing});

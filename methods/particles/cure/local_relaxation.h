@@ -11,7 +11,7 @@
 namespace isobench::particles {
 
 /// Makes h smaller around the points: 0.7 times its value within 1.2 times the spacing, rising again beyond. h does not
-/// become smaller than `least_h` mm.
+/// become smaller than `least_h` mm. Of points within half a spacing of each other, only the first counts.
 void shrink_around(const std::vector<Eigen::Vector3d>& points, SizedSurface& sized, double least_h = 0.0);
 
 /// Particles to remove from a set and particles to add to it.
