@@ -38,6 +38,13 @@ std::string bytes_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
+/// A number of seconds as "3.5 s", "12 minutes" or "4.5 hours".
+std::string duration_text(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} minutes", seconds / 60.0);
+  return fmt::format("{:.1f} hours", seconds / 3600.0);
+}
+
 }  // namespace
 
 Estimate estimate(const MeshingTask& task, const Method& method, const SizingField& field, Monitor& monitor) {
@@ -58,7 +65,7 @@ Estimate estimate(const MeshingTask& task, const Method& method, const SizingFie
 
 std::string to_string(const Estimate& estimate) {
   std::string text = "about " + rough(estimate.vertices) + " vertices";
-  if (estimate.seconds) text += fmt::format(", {:.2g} s on two cores", *estimate.seconds);
+  if (estimate.seconds) text += ", " + duration_text(*estimate.seconds) + " on two cores";
   return text + ", " + bytes_text(estimate.bytes);
 }
 

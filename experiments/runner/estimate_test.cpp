@@ -67,6 +67,10 @@ TEST(Estimate, IsSaidWithTwoDigits) {
             "about 49,000 vertices, 3.5 s on two cores, 2.5 GB");
   EXPECT_EQ(to_string({.vertices = 2.14e8, .seconds = std::nullopt, .bytes = 270e9}),
             "about 210 million vertices, 270.0 GB");
+  EXPECT_EQ(to_string({.vertices = 1e7, .seconds = 700.0, .bytes = 13e9}),
+            "about 10 million vertices, 12 minutes on two cores, 13.0 GB");
+  EXPECT_EQ(to_string({.vertices = 2.3e8, .seconds = 16200.0, .bytes = 303.9e9}),
+            "about 230 million vertices, 4.5 hours on two cores, 303.9 GB");
 }
 
 }  // namespace
