@@ -53,7 +53,6 @@ double six_volumes(const std::array<Corner, 4>& tetrahedron) {
 double six_volumes(const Isosurface& surface, const CellBox& box, int parts, const Vector3d& origin, double offset) {
   const int nodes = parts + 1;
   std::vector<Corner> corners;
-  corners.reserve(static_cast<std::size_t>(nodes * nodes * nodes));
   const Vector3d step = (box.high - box.low) / parts;
   for (int k = 0; k < nodes; ++k) {
     for (int j = 0; j < nodes; ++j) {
@@ -70,10 +69,9 @@ double six_volumes(const Isosurface& surface, const CellBox& box, int parts, con
     for (int j = 0; j < parts; ++j) {
       for (int i = 0; i < parts; ++i) {
         const auto at = [&](int corner) {
-          const int x = i + (corner & 1);
-          const int y = j + (corner >> 1 & 1);
-          const int z = k + (corner >> 2);
-          return corners[static_cast<std::size_t>(x + nodes * (y + nodes * z))];
+          const int row = j + (corner >> 1 & 1) + nodes * (k + (corner >> 2));
+          const int index = i + (corner & 1) + nodes * row;
+          return corners[static_cast<std::size_t>(index)];
         };
         for (const std::array<int, 2>& path : paths) sum += six_volumes({at(0), at(path[0]), at(path[1]), at(7)});
       }
