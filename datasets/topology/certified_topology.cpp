@@ -15,7 +15,7 @@ namespace isobench {
 namespace {
 
 /// A node of a layer's trees; without a layer, the outside of the lattice.
-struct Place {
+struct TreePlace {
   const CellLayer* layer = nullptr;
   std::uint32_t node = 0;
   int depth = -1;
@@ -25,7 +25,7 @@ struct Place {
   bool is_leaf() const { return is_outside() || !get().is_cut; }
   bool is_without_surface() const { return !is_outside() && !get().is_cut && get().kind == BoxKind::without_surface; }
   bool is_inside(unsigned corner) const { return (get().inside >> corner & 1U) != 0; }
-  Place part(unsigned number) const { return is_leaf() ? *this : Place{layer, get().next + number, depth + 1}; }
+  TreePlace part(unsigned number) const { return is_leaf() ? *this : TreePlace{layer, get().next + number, depth + 1}; }
 };
 
 /// A disc: the k of its layer, and its number in it.
@@ -68,7 +68,7 @@ class Counter {
  private:
   /// The cell's tree, the outside, or nothing where F = c does not cross the cell.
   struct Neighbour {
-    Place place;
+    TreePlace place;
     bool has_surface = true;
   };
   Neighbour at(const std::array<int, 3>& cell) const {
@@ -96,7 +96,7 @@ class Counter {
       }
       for (int at_u = 0; at_u <= last_side(cell, u); ++at_u) {
         for (int at_v = 0; at_v <= last_side(cell, v); ++at_v) {
-          std::array<Place, 4> around;
+          std::array<TreePlace, 4> around;
           bool has_surface = true;
           for (int q = 0; q < 4; ++q) {
             const Neighbour next = at(moved(moved(cell, u, at_u - 1 + (q & 1)), v, at_v - 1 + (q >> 1)));
@@ -117,7 +117,7 @@ class Counter {
     return cell;
   }
 
-  void within(const Place& place) {
+  void within(const TreePlace& place) {
     if (place.is_leaf()) return;
     for (unsigned part = 0; part < 8; ++part) within(place.part(part));
     for (int axis = 0; axis < 3; ++axis) {
@@ -130,20 +130,20 @@ class Counter {
     }
   }
 
-  void face(int axis, const Place& low, const Place& high) {
+  void face(int axis, const TreePlace& low, const TreePlace& high) {
     if (low.is_without_surface() || high.is_without_surface()) return;
     const unsigned a = 1U << axis;
     const unsigned u = 1U << (axis + 1) % 3;
     const unsigned v = 1U << (axis + 2) % 3;
     if (low.is_leaf() && high.is_leaf()) {
       const bool of_low = low.depth > high.depth;
-      const Place& finer = of_low ? low : high;
+      const TreePlace& finer = of_low ? low : high;
       const unsigned base = of_low ? a : 0U;
       const bool first = finer.is_inside(base);
       if (first == finer.is_inside(base | u) && first == finer.is_inside(base | v) &&
           first == finer.is_inside(base | u | v))
         return;
-      const Place& own = is_own(high) ? high : low;
+      const TreePlace& own = is_own(high) ? high : low;
       --count_.euler[own.get().next];
       if (low.is_outside() || high.is_outside())
         count_.is_open = true;
@@ -161,7 +161,7 @@ class Counter {
 
   /// `around`: the places at the low and high side of the edge along the two other axes, in the order of axes axis + 1
   /// and axis + 2: number q is on the high side of the first if q has bit 1, and of the second if it has bit 2.
-  void edge(int axis, const std::array<Place, 4>& around) {
+  void edge(int axis, const std::array<TreePlace, 4>& around) {
     bool leaves = true;
     std::size_t finest = 0;
     for (std::size_t q = 0; q < 4; ++q) {
@@ -174,9 +174,9 @@ class Counter {
     const unsigned v = 1U << (axis + 2) % 3;
     const auto corner = [&](std::size_t q) { return ((q & 1U) != 0 ? 0U : u) | ((q & 2U) != 0 ? 0U : v); };
     if (leaves) {
-      const Place& finer = around[finest];
+      const TreePlace& finer = around[finest];
       if (finer.is_inside(corner(finest)) == finer.is_inside(corner(finest) | a)) return;
-      for (const Place& place : around) {
+      for (const TreePlace& place : around) {
         if (!is_own(place)) continue;
         ++count_.euler[place.get().next];
         return;
@@ -184,14 +184,14 @@ class Counter {
       return;
     }
     for (const unsigned half : {0U, a}) {
-      std::array<Place, 4> parts;
+      std::array<TreePlace, 4> parts;
       for (std::size_t q = 0; q < 4; ++q) parts[q] = around[q].part(corner(q) | half);
       edge(axis, parts);
     }
   }
 
-  bool is_own(const Place& place) const { return place.layer == &layers_[static_cast<std::size_t>(k_)]; }
-  Disc disc(const Place& place) const { return {is_own(place) ? k_ : k_ - 1, place.get().next}; }
+  bool is_own(const TreePlace& place) const { return place.layer == &layers_[static_cast<std::size_t>(k_)]; }
+  Disc disc(const TreePlace& place) const { return {is_own(place) ? k_ : k_ - 1, place.get().next}; }
 
   const std::vector<CellLayer>& layers_;
   const std::array<int, 3> cells_;
