@@ -45,11 +45,12 @@ std::pair<double, double> range_at_nodes(const Isosurface& surface) {
       least, most, surface.isovalue(), remedy));
 }
 
-/// For example "in 15 cells, near (7.98, 7.98, 11) mm for example".
+/// For example " in 15 cells, near (7.98, 7.98, 11) mm for example"; "" where rounding hides the places.
 std::string places_text(const Isosurface& surface, const std::vector<CellBox>& places) {
+  if (places.empty()) return "";
   const CellBox& first = places[places.size() / 2];
   const Eigen::Vector3d at = surface.lattice().to_world(0.5 * (first.low + first.high));
-  return fmt::format("in {} cell{}, near ({:.4g}, {:.4g}, {:.4g}) mm{}", places.size(), places.size() == 1 ? "" : "s",
+  return fmt::format(" in {} cell{}, near ({:.4g}, {:.4g}, {:.4g}) mm{}", places.size(), places.size() == 1 ? "" : "s",
                      at[0], at[1], at[2], places.size() == 1 ? "" : " for example");
 }
 
@@ -59,7 +60,7 @@ void move(Dataset& dataset, const RegularValue& regular, Monitor& monitor) {
   const double sign = surface.inside() == Inside::above ? 1.0 : -1.0;
   surface.move_isovalue(asked + sign * regular.value);
   dataset.asked_isovalue = asked;
-  monitor.note(fmt::format("{}: F = {} touches itself or fills space {}; F = {:.10g} is taken instead{}", dataset.title,
+  monitor.note(fmt::format("{}: F = {} touches itself or fills space{}; F = {:.10g} is taken instead{}", dataset.title,
                            asked, places_text(surface, regular.singular), surface.isovalue(),
                            regular.passes_others ? ", whose topology differs at other places, too" : ""));
 }
@@ -95,10 +96,10 @@ void record_small_boxes(const CertifiedTopology& topology, Monitor& monitor) {
 void settle_surface(Dataset& dataset, const SurfaceChoices& choices, Monitor& monitor) {
   const auto stage = monitor.stage("topology");
   RegularValue regular = find_regular_value(*dataset.surface, narrowest_place, monitor);
-  if (!regular.singular.empty()) {
+  if (regular.value != 0.0) {
     if (choices.exact_isovalue) {
       throw DataError(
-          fmt::format("isovalue {} is no regular value of F: F = c touches itself or fills space {}; "
+          fmt::format("isovalue {} is no regular value of F: F = c touches itself or fills space{}; "
                       "choose another isovalue, or let the nearest one that gives a surface be taken",
                       dataset.surface->isovalue(), places_text(*dataset.surface, regular.singular)));
     }

@@ -50,12 +50,10 @@ class Search {
         if (take(sign * share * range_)) return std::move(found_);
       }
     }
-    const Eigen::Vector3d at = surface_.lattice().to_world(found_.singular.front().low);
     throw DataError(
-        fmt::format("isovalue {} is no regular value of F, near ({:.4g}, {:.4g}, {:.4g}) mm for example, and neither "
-                    "are the values up to a hundredth of the samples' range around it; choose another isovalue, or "
-                    "smooth the volume",
-                    surface_.isovalue(), at[0], at[1], at[2]));
+        fmt::format("isovalue {} is no regular value of F, and neither are those that were tried up to a hundredth of "
+                    "the samples' range away; choose another isovalue, or smooth the volume",
+                    surface_.isovalue()));
   }
 
  private:

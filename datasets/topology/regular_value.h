@@ -14,7 +14,8 @@ namespace isobench {
 struct RegularValue {
   double value = 0.0;
   CertifiedTopology topology;
-  std::vector<CellBox> singular;  ///< of f = 0: where it is no surface; empty if it is one
+  /// Of f = 0: where it is no surface. Empty if it is one, or if rounding hides the places.
+  std::vector<CellBox> singular;
   /// Whether further critical values lie between 0 and `value`, so that topology differs elsewhere, too.
   bool passes_others = false;
 };
