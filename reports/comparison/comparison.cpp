@@ -44,7 +44,7 @@ void flatten(const Json& json, const std::string& name, Leaves& leaves) {
 }
 
 // Parts of a request that do not determine the result.
-const std::vector<const char*> asked_besides = {"label",     "alone",         "aside",
+const std::vector<const char*> asked_besides = {"family",    "label",         "alone",          "aside",
                                                 "artefacts", "limit_minutes", "limit_memory_gb"};
 
 // Figures have their bare names, as in results.csv. Most other names begin with a group: "counter particles/splits".

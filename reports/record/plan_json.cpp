@@ -36,6 +36,7 @@ Json request_to_json(const RunRequest& r) {
   return {{"run", r.run},
           {"dataset", r.dataset},
           {"dataset_checksum", r.dataset_checksum},
+          {"family", r.family},
           {"method", r.method},
           {"method_revision", r.method_revision},
           {"label", r.label},
@@ -79,6 +80,7 @@ RunRequest request_from_json(const Json& json) {
   r.run = json.at("run").get<std::string>();
   r.dataset = json.at("dataset").get<std::string>();
   r.dataset_checksum = json.at("dataset_checksum").get<std::string>();
+  r.family = json.value("family", "");  // older plans have none
   r.method = json.at("method").get<std::string>();
   r.method_revision = integer<int>(json.at("method_revision"));
   r.label = json.at("label").get<std::string>();

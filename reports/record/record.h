@@ -23,12 +23,13 @@ namespace isobench {
 
 using ParameterValues = std::map<std::string, ParameterValue>;
 
-/// What a run was asked to do: a cell of an experiment's plan. Everything except label, limits, `alone`, `artefacts`
-/// and `aside` determines its name.
+/// What a run was asked to do: a cell of an experiment's plan. Everything except family, label, limits, `alone`,
+/// `artefacts` and `aside` determines its name.
 struct RunRequest {
   std::string run;  ///< name of its folder, e.g. "skull-particles-e0.5-d0.3-s1-1f2a9c3e"
   std::string dataset;
   std::string dataset_checksum;
+  std::string family;  ///< the family of data sets that this one is a member of; "" if it is of none
   std::string method;
   int method_revision = 1;
   std::string label;                        ///< tells apart two entries of one method

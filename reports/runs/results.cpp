@@ -23,9 +23,10 @@ StoredRun stored_run(const fs::path& folder, const RunRequest& request) {
   if (!fs::exists(path)) return {};
   try {
     StoredRun found{read_record(path), ""};
-    // Label and aside do not change the result, so the plan decides: a label can be renamed without a new run.
+    // These do not change the result, so the plan decides: a label can be renamed without a new run.
     found.record->request.label = request.label;
     found.record->request.aside = request.aside;
+    found.record->request.family = request.family;
     return found;
   } catch (const Error& error) {
     return {std::nullopt, error.what()};
