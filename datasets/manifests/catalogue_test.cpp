@@ -335,18 +335,27 @@ bool inside_at_border(const Isosurface& surface) {
   return false;
 }
 
-TEST(DatasetFromFile, ClosesAnObjectThatLeavesTheVolumeAndSaysSo) {
+TEST(DatasetFromFile, ClosesAnObjectOutsideTheVolumeAndSaysSo) {
   const TestFolder folder;
-  const auto path = folder.write("half.nrrd", ball_nrrd(1.0));  // the ball's middle lies at the border
+  const auto path = folder.write("half.nrrd", ball_nrrd(1.0));  // the ball's middle lies near the border
   Monitor monitor;
   const Dataset above = dataset_from_file(path, {.isovalue = 10.0}, monitor);
   ASSERT_EQ(monitor.notes().size(), 1U);
-  EXPECT_NE(monitor.notes()[0].find("closed at its border"), std::string::npos);
+  EXPECT_EQ(monitor.notes()[0].find("the object reaches the volume's border on 1 side; "), 0U) << monitor.notes()[0];
   EXPECT_FALSE(inside_at_border(*above.surface));
+  EXPECT_EQ(above.preparation.size(), 1U);
+  // The outermost nodes stay inside. The object ends half a voxel (1 mm) beyond them where they have their median
+  // value; here, in the ball's middle, they have more.
+  const Lattice& lattice = above.surface->lattice();
+  const double outermost = lattice.to_local(Eigen::Vector3d::Zero())[0];
+  EXPECT_GT(above.surface->value({outermost, 15.0, 15.0}), 0.0);
+  EXPECT_GT(above.surface->value({outermost - 0.7, 15.0, 15.0}), 0.0);
+  EXPECT_LT(above.surface->value({outermost - 2.0, 15.0, 15.0}), 0.0);
   // The complement of the ball reaches the border on all sides.
   const Dataset below = dataset_from_file(path, {.isovalue = 10.0, .inside = Inside::below}, monitor);
   EXPECT_EQ(monitor.notes().size(), 2U);
   EXPECT_FALSE(inside_at_border(*below.surface));
+  EXPECT_THROW(dataset_from_file(path, {.isovalue = 10.0, .border = Border::refuse}, monitor), DataError);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace isobench {
 namespace {
 
 /// Raised whenever a preparation step or a phantom gives other results, so that no earlier result is reused.
-constexpr int preparation_revision = 1;
+constexpr int preparation_revision = 2;
 
 std::string string_or(const TomlValue& table, const char* key, const std::string& otherwise = "") {
   const auto value = table.find(key);
@@ -204,7 +204,8 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
     return manifest;
   }
   manifest.isovalue = root.require("isovalue").as_number();
-  if (const auto steps = root.find("prepare")) manifest.steps = parse_steps(*steps, manifest.inside);
+  if (const auto steps = root.find("prepare"))
+    manifest.steps = parse_steps(*steps, {manifest.isovalue, manifest.inside});
   parse_data(*data, manifest);
   return manifest;
 }

@@ -42,54 +42,51 @@ PrepareStep parse_labels(const TomlValue& table) {
   return step;
 }
 
-PrepareStep parse_close_border(const TomlValue& table, Inside inside) {
-  CloseBorder step;
-  step.layers = count_or(table, "layers", step.layers, 1);
-  step.object_below = inside == Inside::below;
-  const auto value = table.find("value");
-  const auto to = table.find("to");
-  const std::string extreme = step.object_below ? "maximum" : "minimum";
-  if (value.has_value() == to.has_value()) {
-    throw UsageError(table.place(), fmt::format("close-border needs either to = \"{}\" or value = a number", extreme));
+PrepareStep parse_close_border(const TomlValue& table, const ManifestSurface& surface) {
+  for (const char* key : {"to", "value", "layers"}) {
+    if (const auto old = table.find(key)) {
+      throw UsageError(old->place(), fmt::format("close-border adds layers outside the volume now, with a value of its "
+                                                 "own; remove '{}'",
+                                                 key));
+    }
   }
-  step.use_minimum = to.has_value();
-  if (to && to->as_string() != extreme) {
-    throw UsageError(to->place(), fmt::format("expected \"{}\", found \"{}\"", extreme, to->as_string()));
-  }
-  if (value) step.value = parse_finite(*value);
-  return step;
+  return CloseBorder{surface.isovalue, surface.inside == Inside::below};
 }
 
 /// A step's own keys, and the function that makes the step from them.
 struct StepParser {
   std::vector<std::string> keys;
-  std::function<PrepareStep(const TomlValue&, Inside)> parse;
+  std::function<PrepareStep(const TomlValue&, const ManifestSurface&)> parse;
 };
 
 const std::map<std::string, StepParser>& step_parsers() {
   static const std::map<std::string, StepParser> parsers = {
-      {"threshold", {{"at"}, [](const TomlValue& t, Inside) { return Threshold{parse_finite(t.require("at"))}; }}},
-      {"labels", {{"labels"}, [](const TomlValue& t, Inside) { return parse_labels(t); }}},
-      {"largest-component", {{}, [](const TomlValue&, Inside) { return LargestComponent{}; }}},
-      {"crop", {{"margin"}, [](const TomlValue& t, Inside) { return Crop{count_or(t, "margin", 0, 0)}; }}},
+      {"threshold",
+       {{"at"}, [](const TomlValue& t, const ManifestSurface&) { return Threshold{parse_finite(t.require("at"))}; }}},
+      {"labels", {{"labels"}, [](const TomlValue& t, const ManifestSurface&) { return parse_labels(t); }}},
+      {"largest-component", {{}, [](const TomlValue&, const ManifestSurface&) { return LargestComponent{}; }}},
+      {"crop",
+       {{"margin"}, [](const TomlValue& t, const ManifestSurface&) { return Crop{count_or(t, "margin", 0, 0)}; }}},
       {"pad",
        {{"voxels", "value"},
-        [](const TomlValue& t, Inside) {
+        [](const TomlValue& t, const ManifestSurface&) {
           const auto value = t.find("value");
           return Pad{parse_count(t.require("voxels"), 0), value ? parse_finite(*value) : 0.0};
         }}},
       {"resample",
-       {{"spacing"}, [](const TomlValue& t, Inside) { return Resample{parse_triple(t.require("spacing"))}; }}},
-      {"signed-distance", {{}, [](const TomlValue&, Inside) { return SignedDistance{}; }}},
-      {"gaussian", {{"sigma"}, [](const TomlValue& t, Inside) { return parse_gaussian(t); }}},
+       {{"spacing"},
+        [](const TomlValue& t, const ManifestSurface&) { return Resample{parse_triple(t.require("spacing"))}; }}},
+      {"signed-distance", {{}, [](const TomlValue&, const ManifestSurface&) { return SignedDistance{}; }}},
+      {"gaussian", {{"sigma"}, [](const TomlValue& t, const ManifestSurface&) { return parse_gaussian(t); }}},
       {"close-border", {{"to", "value", "layers"}, parse_close_border}},
       {"subsample",
-       {{"factor"}, [](const TomlValue& t, Inside) { return Subsample{parse_count(t.require("factor"), 1)}; }}},
+       {{"factor"},
+        [](const TomlValue& t, const ManifestSurface&) { return Subsample{parse_count(t.require("factor"), 1)}; }}},
   };
   return parsers;
 }
 
-PrepareStep parse_step(const TomlValue& table, Inside inside) {
+PrepareStep parse_step(const TomlValue& table, const ManifestSurface& surface) {
   const TomlValue name_value = table.require("step");
   const std::string name = name_value.as_string();
   const auto found = step_parsers().find(name);
@@ -101,14 +98,14 @@ PrepareStep parse_step(const TomlValue& table, Inside inside) {
   std::vector<std::string> keys = found->second.keys;
   keys.emplace_back("step");
   table.allow_keys(keys, "the step " + name);
-  return found->second.parse(table, inside);
+  return found->second.parse(table, surface);
 }
 
 }  // namespace
 
-std::vector<PrepareStep> parse_steps(const TomlValue& list, Inside inside) {
+std::vector<PrepareStep> parse_steps(const TomlValue& list, const ManifestSurface& surface) {
   std::vector<PrepareStep> steps;
-  for (const TomlValue& table : list.as_array()) steps.push_back(parse_step(table, inside));
+  for (const TomlValue& table : list.as_array()) steps.push_back(parse_step(table, surface));
   return steps;
 }
 

@@ -10,8 +10,14 @@
 
 namespace isobench {
 
+/// Which surface the manifest states: the object that a step may have to close.
+struct ManifestSurface {
+  double isovalue = 0.0;
+  Inside inside = Inside::above;
+};
+
 /// Throws UsageError with the place of an unknown step or key, or of a value that is out of range.
-std::vector<PrepareStep> parse_steps(const TomlValue& list, Inside inside);
+std::vector<PrepareStep> parse_steps(const TomlValue& list, const ManifestSurface& surface);
 
 /// One number for all axes, or three; each must be > 0.
 Eigen::Vector3d parse_triple(const TomlValue& value);

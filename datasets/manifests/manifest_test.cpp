@@ -33,7 +33,7 @@ void expect_usage_error(const std::string& text, int line, const std::string& pa
 TEST(Manifest, SaysFilesStepsAndSurface) {
   const Manifest manifest = parse(
       "title = \"T\"\nlicence = \"L\"\nisovalue = -3\ninside = \"below\"\nkernel = \"catmull-rom\"\n"
-      "prepare = [ { step = \"gaussian\", sigma = [1, 2.5, 3] }, { step = \"close-border\", value = 9.5, layers = 3 } "
+      "prepare = [ { step = \"gaussian\", sigma = [1, 2.5, 3] }, { step = \"close-border\" } "
       "]\n"
       "[data]\nfolder = \"f\"\nraw = { size = [4, 5, 6], spacing = 2, type = \"i16\", byte_order = \"big\" }\n"
       "files = [ { name = \"a\" }, { name = \"b\" } ]\n");
@@ -44,10 +44,8 @@ TEST(Manifest, SaysFilesStepsAndSurface) {
   ASSERT_EQ(manifest.steps.size(), 2U);
   EXPECT_EQ(std::get<Gaussian>(manifest.steps[0]).sigma, Eigen::Vector3d(1.0, 2.5, 3.0));
   const auto& border = std::get<CloseBorder>(manifest.steps[1]);
-  EXPECT_EQ(border.value, 9.5);
-  EXPECT_EQ(border.layers, 3);
-  EXPECT_FALSE(border.use_minimum);
-  EXPECT_TRUE(border.object_below);  // as the object is
+  EXPECT_EQ(border.isovalue, -3.0);  // those of the surface
+  EXPECT_TRUE(border.object_below);
   ASSERT_TRUE(manifest.raw);
   EXPECT_EQ(manifest.raw->size, (std::array<int, 3>{4, 5, 6}));
   EXPECT_EQ(manifest.raw->spacing, Eigen::Vector3d::Constant(2.0));
@@ -76,9 +74,8 @@ TEST(Manifest, ErrorsNameTheLineAndTheNearestName) {
                      "three");
   expect_usage_error(manifest_head + "prepare = [ { step = \"pad\", voxels = -1 } ]\n" + manifest_data, 3,
                      "at least 0");
-  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\" } ]\n" + manifest_data, 3, "minimum");
-  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\", to = \"maximum\" } ]\n" + manifest_data, 3,
-                     "minimum");
+  expect_usage_error(manifest_head + "prepare = [ { step = \"close-border\", layers = 2 } ]\n" + manifest_data, 3,
+                     "remove 'layers'");
   expect_usage_error(manifest_head + "inside = \"abov\"\n" + manifest_data, 3, "above");
   expect_usage_error(manifest_head + "kernel = \"b-spline\"\n" + manifest_data, 3, "bspline");
   expect_usage_error(manifest_head + "[phantom]\nname = \"spere\"\nnodes = 64\n", 2, "isovalue");

@@ -109,6 +109,11 @@ void settle_surface(Dataset& dataset, const SurfaceChoices& choices, Monitor& mo
     if (!regular.topology.is_regular)
       throw DataError("no isovalue near the one asked for gives a surface; choose another, or smooth the volume");
   }
+  if (regular.topology.is_open) {
+    throw DataError(
+        "the surface leaves the volume, and surfaces with a border are not meshed; add the step close-border to the "
+        "manifest");
+  }
   if (regular.topology.components.empty()) refuse_without_surface(*dataset.surface);
   if (choices.min_component > 0.0) leave_out(dataset, choices.min_component, regular.topology, monitor);
   record_small_boxes(regular.topology, monitor);

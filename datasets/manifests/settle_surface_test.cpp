@@ -53,6 +53,20 @@ TEST(SettleSurface, KeepsARegularValueAndItsTopology) {
   EXPECT_TRUE(monitor.notes().empty());
 }
 
+TEST(SettleSurface, LeavesABackgroundAtTheIsovalueOutside) {
+  // Below 0 all but the block of −1 would be inside, out to the border.
+  const auto blocks = [](int i, int j, int k) {
+    const auto [least, most] = std::minmax({i, j, k});
+    return least >= 3 && most < 7 ? 3.0 : least >= 9 && most < 13 ? -1.0 : 0.0;
+  };
+  Dataset dataset = dataset_of(16, 0.0, blocks);
+  Monitor monitor;
+  settle_surface(dataset, {}, monitor);
+  EXPECT_EQ(dataset.asked_isovalue, 0.0);
+  EXPECT_GT(dataset.surface->isovalue(), 0.0);
+  EXPECT_EQ(dataset.topology->euler, 2);
+}
+
 TEST(SettleSurface, JoinsBlocksThatTouchAndSaysSo) {
   for (const Inside inside : {Inside::above, Inside::below}) {
     const bool above = inside == Inside::above;

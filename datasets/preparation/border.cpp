@@ -80,20 +80,81 @@ void copy_nodes(const std::vector<T>& from, const Lattice& from_lattice, const E
   }
 }
 
+/// Nodes to add before the first and after the last one of each axis.
+struct Margins {
+  Eigen::Array3i low = Eigen::Array3i::Zero();
+  Eigen::Array3i high = Eigen::Array3i::Zero();
+};
+
+void pad_sides(Volume& volume, const Margins& margins, double value) {
+  const Lattice& lattice = volume.lattice;
+  Lattice padded = lattice;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const long long count = static_cast<long long>(lattice.size[axis]) + margins.low[a] + margins.high[a];
+    if (count > std::numeric_limits<int>::max())
+      throw DataError("pad: the volume would have more nodes along an axis than 2^31 - 1; add fewer voxels");
+    padded.size[axis] = static_cast<int>(count);
+  }
+  check_size(padded.size);
+  padded.origin = lattice.to_world(-margins.low.cast<double>().matrix().cwiseProduct(lattice.spacing));
+  make_room_for(value, volume.samples);
+  const Eigen::Array3i size(lattice.size[0], lattice.size[1], lattice.size[2]);
+  volume.samples = volume.samples.visit([&](const auto& samples) -> Samples {
+    using T = SampleOf<decltype(samples)>;
+    std::vector<T> result(padded.nodes(), static_cast<T>(value));
+    copy_nodes(samples, lattice, Eigen::Array3i::Zero(), result, padded, margins.low, size);
+    return result;
+  });
+  volume.lattice = padded;
+}
+
+/// Where and how an object reaches the border of a volume.
+struct Leaving {
+  Margins margins;  // the layers that close it
+  int sides = 0;
+  double area = 0.0;           // mm², of the outermost nodes inside
+  std::vector<double> values;  // of the nodes inside in the two outermost layers
+};
+
+/// Looks at the two outermost layers of one side.
 template <class T>
-void clamp_layers(std::vector<T>& samples, const Lattice& lattice, const CloseBorder& step, T limit) {
-  const auto& size = lattice.size;
-  const auto close = [&](T& sample) { sample = step.object_below ? std::max(sample, limit) : std::min(sample, limit); };
-  const auto in_layers = [&](int n, int count) { return n < step.layers || n >= count - step.layers; };
-  for (int k = 0; k < size[2]; ++k) {
-    for (int j = 0; j < size[1]; ++j) {
-      const bool whole_row = in_layers(k, size[2]) || in_layers(j, size[1]);
-      T* row = &samples[lattice.index(0, j, k)];
-      for (int i = 0; i < size[0]; ++i) {
-        if (whole_row || in_layers(i, size[0])) close(row[i]);
+void look_at_side(const std::vector<T>& samples, const Lattice& lattice, const CloseBorder& step, std::size_t axis,
+                  bool high, Leaving& leaving) {
+  constexpr int looked_at = 2;  // the cubic spline reaches two nodes beyond a point
+  constexpr int added = 3;
+  const std::size_t u = (axis + 1) % 3;
+  const std::size_t v = (axis + 2) % 3;
+  const double face = lattice.spacing.prod() / lattice.spacing[static_cast<Eigen::Index>(axis)];
+  bool leaves = false;
+  for (int layer = 0; layer < std::min(looked_at, lattice.size[axis]); ++layer) {
+    std::array<int, 3> node{};
+    node[axis] = high ? lattice.size[axis] - 1 - layer : layer;
+    for (node[v] = 0; node[v] < lattice.size[v]; ++node[v]) {
+      for (node[u] = 0; node[u] < lattice.size[u]; ++node[u]) {
+        const auto value = static_cast<double>(samples[lattice.index(node[0], node[1], node[2])]);
+        if (!(step.object_below ? value < step.isovalue : value > step.isovalue)) continue;
+        leaves = true;
+        leaving.values.push_back(value);
+        if (layer == 0) leaving.area += face;
       }
     }
   }
+  if (!leaves) return;
+  ++leaving.sides;
+  (high ? leaving.margins.high : leaving.margins.low)[static_cast<Eigen::Index>(axis)] = added;
+}
+
+/// A value that is as far outside the object as the median of the values is inside, and at least a tenth of the
+/// samples' range; a whole number if the median is one.
+double closing_value(std::vector<double>& inside, const Range& range, const CloseBorder& step) {
+  const auto middle = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() / 2);
+  std::nth_element(inside.begin(), middle, inside.end());
+  const double depth = std::max(std::abs(*middle - step.isovalue), 0.1 * (range.max - range.min));
+  const double most = std::numeric_limits<float>::max();  // F is made of floats
+  const double outside = std::clamp(step.object_below ? step.isovalue + depth : step.isovalue - depth, -most, most);
+  if (*middle != std::floor(*middle)) return outside;
+  return step.object_below ? std::ceil(outside) : std::floor(outside);
 }
 
 }  // namespace
@@ -128,35 +189,20 @@ void crop(Volume& volume, int margin) {
 
 void pad(Volume& volume, int voxels, double value) {
   if (voxels < 0) throw DataError("pad: the number of voxels is negative; give one of at least 0");
-  const Lattice& lattice = volume.lattice;
-  Lattice padded = lattice;
-  for (int& count : padded.size) {
-    if (count > std::numeric_limits<int>::max() - 2 * static_cast<long long>(voxels))
-      throw DataError("pad: the volume would have more nodes along an axis than 2^31 - 1; add fewer voxels");
-    count += 2 * voxels;
-  }
-  check_size(padded.size);
-  padded.origin = lattice.to_world(-voxels * lattice.spacing);
-  make_room_for(value, volume.samples);
-  const Eigen::Array3i size(lattice.size[0], lattice.size[1], lattice.size[2]);
-  volume.samples = volume.samples.visit([&](const auto& samples) -> Samples {
-    using T = SampleOf<decltype(samples)>;
-    std::vector<T> result(padded.nodes(), static_cast<T>(value));
-    copy_nodes(samples, lattice, Eigen::Array3i::Zero(), result, padded, Eigen::Array3i::Constant(voxels), size);
-    return result;
-  });
-  volume.lattice = padded;
+  pad_sides(volume, {Eigen::Array3i::Constant(voxels), Eigen::Array3i::Constant(voxels)}, value);
 }
 
-void close_border(Volume& volume, const CloseBorder& step) {
-  if (volume.samples.empty()) throw DataError("close-border: the volume has no samples; give one with samples");
-  if (!step.use_minimum) make_room_for(step.value, volume.samples);
-  volume.samples.visit([&](auto& samples) {
-    using T = SampleOf<decltype(samples)>;
-    const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
-    const T limit = !step.use_minimum ? static_cast<T>(step.value) : step.object_below ? *most : *least;
-    clamp_layers(samples, volume.lattice, step, limit);
+void close_border(Volume& volume, const CloseBorder& step, Monitor& monitor) {
+  Leaving leaving;
+  volume.samples.visit([&](const auto& samples) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const bool high : {false, true}) look_at_side(samples, volume.lattice, step, axis, high, leaving);
+    }
   });
+  if (leaving.sides == 0) return;
+  pad_sides(volume, leaving.margins, closing_value(leaving.values, sample_range(volume), step));
+  monitor.note(fmt::format("the object reaches the volume's border on {} side{}; {:.4g} mm² of it were closed, outside",
+                           leaving.sides, leaving.sides == 1 ? "" : "s", leaving.area));
 }
 
 }  // namespace isobench

@@ -37,7 +37,7 @@ void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
                    gaussian(smooth, s.sigma, monitor);
                    volume = std::move(smooth);
                  },
-                 [&](const CloseBorder& s) { close_border(volume, s); },
+                 [&](const CloseBorder& s) { close_border(volume, s, monitor); },
                  [&](const Subsample& s) { volume = subsample(floats(), s.factor); },
              },
              step);
@@ -66,10 +66,8 @@ std::string describe(const PrepareStep& step) {
           [&](const SignedDistance&) { return name + " in mm, positive inside"; },
           [&](const Gaussian& s) { return fmt::format("{} sigma = {} voxels", name, triple(s.sigma)); },
           [&](const CloseBorder& s) {
-            const char* extreme = s.object_below ? "maximum" : "minimum";
-            const char* side = s.object_below ? "least" : "most";
-            return s.use_minimum ? fmt::format("{}: outermost {} layers to the {}", name, s.layers, extreme)
-                                 : fmt::format("{}: outermost {} layers to at {} {}", name, s.layers, side, s.value);
+            return fmt::format("{}: layers added where the object, {} {}, reaches the border", name,
+                               s.object_below ? "below" : "above", s.isovalue);
           },
           [&](const Subsample& s) { return fmt::format("{} by {}", name, s.factor); },
       },

@@ -17,7 +17,7 @@ void keep_largest_component(Volume& volume);
 void crop(Volume& volume, int margin);
 /// These two give RealOf the samples' type if that type cannot hold the value.
 void pad(Volume& volume, int voxels, double value);
-void close_border(Volume& volume, const CloseBorder& step);
+void close_border(Volume& volume, const CloseBorder& step, Monitor& monitor);
 
 // Steps that compute with floats.
 

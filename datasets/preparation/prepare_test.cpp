@@ -224,22 +224,36 @@ TEST(PrepareSubsample, AveragesBlocksAtTheirMiddle) {
   EXPECT_THROW(apply(volume, Subsample{5}), DataError);
 }
 
-TEST(PrepareCloseBorder, SetsOrClampsTheOutermostLayersOnly) {
-  FloatVolume volume = make_volume({9, 8, 7});
-  for_nodes(volume.lattice, [&](int i, int j, int k) { volume.at(i, j, k) = static_cast<float>(i + j + k); });
-  const auto check = [&](const CloseBorder& step, auto expected) {
-    const FloatVolume closed = apply(volume, step);
-    for_nodes(volume.lattice, [&](int i, int j, int k) {
-      const bool border = i < 2 || j < 2 || k < 2 || i >= 7 || j >= 6 || k >= 5;
-      const float before = volume.at(i, j, k);
-      EXPECT_EQ(closed.at(i, j, k), border ? expected(before) : before);
+TEST(PrepareCloseBorder, AddsLayersOnlyWhereTheObjectLeaves) {
+  for (const bool below : {false, true}) {
+    // A bar along z that comes to the lower end, and one layer short of the upper one.
+    FloatVolume volume = make_volume({9, 8, 7}, {1.0, 2.0, 3.0});
+    const auto value = [below](bool inside) { return inside != below ? 100.0F : 20.0F; };
+    for_nodes(volume.lattice,
+              [&](int i, int j, int k) { volume.at(i, j, k) = value(i >= 3 && i < 6 && j >= 3 && j < 5 && k < 6); });
+    Monitor monitor;
+    const Volume prepared = prepare(Volume(volume), {CloseBorder{50.0, below}}, monitor);
+    const FloatVolume closed = as_float(prepared);
+    EXPECT_EQ(closed.lattice.size, (std::array<int, 3>{9, 8, 13}));
+    EXPECT_LT((world(closed.lattice, 0, 0, 3) - world(volume.lattice, 0, 0, 0)).norm(), 1e-12);
+    for_nodes(closed.lattice, [&](int i, int j, int k) {
+      const bool added = k < 3 || k >= 10;
+      const float outside = below ? 80.0F : 0.0F;  // as far from 50 as the object
+      EXPECT_EQ(closed.at(i, j, k), added ? outside : volume.at(i, j, k - 3));
     });
-  };
-  check(CloseBorder{}, [](float) { return 0.0F; });
-  check(CloseBorder{.use_minimum = true, .object_below = true}, [](float) { return 21.0F; });
-  check(CloseBorder{.value = 5.5, .use_minimum = false}, [](float before) { return std::min(before, 5.5F); });
-  check(CloseBorder{.value = 5.5, .use_minimum = false, .object_below = true},
-        [](float before) { return std::max(before, 5.5F); });
+    // Six nodes at the lower end, each with a face of 1 × 2 mm².
+    EXPECT_EQ(monitor.notes(),
+              std::vector<std::string>{
+                  "the object reaches the volume's border on 2 sides; 12 mm² of it were closed, outside"});
+  }
+}
+
+TEST(PrepareCloseBorder, LeavesAnObjectThatStaysWithinAsItIs) {
+  FloatVolume volume = make_volume({7, 7, 7});
+  volume.at(3, 3, 3) = 1.0F;
+  Monitor monitor;
+  EXPECT_EQ(as_float(prepare(Volume(volume), {CloseBorder{0.5, false}}, monitor)).samples, volume.samples);
+  EXPECT_TRUE(monitor.notes().empty());
 }
 
 TEST(PrepareSelect, ThresholdAndLabelsMakeBinaryVolumes) {
@@ -259,8 +273,8 @@ TEST(PrepareSelect, ThresholdAndLabelsMakeBinaryVolumes) {
 TEST(Prepare, GivesTheSameBitsWithAnyNumberOfThreads) {
   const FloatVolume volume = random_binary({40, 33, 29}, {0.7, 1.0, 1.4}, 0.4);
   const std::vector<PrepareStep> steps = {
-      LargestComponent{},        Crop{},       Pad{3},       SignedDistance{}, Resample{{0.5, 0.5, 0.5}},
-      Gaussian{{1.0, 1.0, 1.0}}, Subsample{2}, CloseBorder{}};
+      LargestComponent{},        Crop{},       Pad{3},          SignedDistance{}, Resample{{0.5, 0.5, 0.5}},
+      Gaussian{{1.0, 1.0, 1.0}}, Subsample{2}, CloseBorder{0.5}};
   std::vector<float> first;
   for (const std::size_t threads : {1U, 2U, 4U}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -290,8 +304,8 @@ TEST(Prepare, DescribesEveryStepInALine) {
   EXPECT_EQ(lines[1], "labels {1, 3}");
   EXPECT_EQ(lines[7], "gaussian sigma = (0.8, 0.8, 0.5) voxels");
   EXPECT_NE(describe(Crop{8}), describe(Crop{7}));
-  EXPECT_NE(describe(CloseBorder{.value = 1.0, .use_minimum = false}),
-            describe(CloseBorder{.value = 2.0, .use_minimum = false}));
+  EXPECT_NE(describe(CloseBorder{1.0}), describe(CloseBorder{2.0}));
+  EXPECT_NE(describe(CloseBorder{1.0, false}), describe(CloseBorder{1.0, true}));
 }
 
 TEST(PrepareBadInput, StepsThatAskForTheImpossible) {

@@ -85,14 +85,12 @@ TEST(PrepareTypes, StepsThatMoveNodesKeepTheType) {
   EXPECT_EQ(padded.samples.as<std::int64_t>().front(), 5);
   EXPECT_EQ(prepared(row(wide), LargestComponent{}), Samples(std::vector<std::int64_t>{0, 0, beyond_double, 0, 0, 0}));
   EXPECT_EQ(prepared(row(Bytes{9, 0, 3, 0, 0, 0}), LargestComponent{}), Samples(Bytes{9, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(prepared(row(Bytes{9, 8, 7, 6, 5, 4}), CloseBorder{}), Samples(Bytes(6, 4)));
-  EXPECT_EQ(prepared(row(Bytes{9, 8, 7, 6, 5, 4}), CloseBorder{.value = 6.0, .use_minimum = false}),
-            Samples(Bytes{6, 6, 6, 6, 5, 4}));
+  EXPECT_EQ(prepared(row(Bytes{9, 8, 7, 6, 5, 4}), CloseBorder{9.5}), Samples(Bytes{9, 8, 7, 6, 5, 4}));
+  EXPECT_EQ(prepared(row(Bytes{1, 0, 1}), CloseBorder{0.5}).type(), SampleType::u8);
 }
 
 TEST(PrepareTypes, AValueThatTheTypeCannotHoldMakesRealNumbers) {
-  const Samples clamped = prepared(row(Bytes{9, 8, 7, 6, 5, 4}), CloseBorder{.value = 6.5, .use_minimum = false});
-  EXPECT_EQ(clamped, Samples(std::vector<float>{6.5F, 6.5F, 6.5F, 6.0F, 5.0F, 4.0F}));
+  EXPECT_EQ(prepared(row(Bytes{9, 0, 9}), CloseBorder{2.0}).type(), SampleType::f32);  // closed by −5
   EXPECT_EQ(prepared(row(Bytes{9}), Pad{1, -1.0}).type(), SampleType::f32);
   EXPECT_EQ(prepared(row(Bytes{9}), Pad{1, 256.0}).type(), SampleType::f32);
   EXPECT_EQ(prepared(row(Bytes{9}), Pad{1, 255.0}).type(), SampleType::u8);

@@ -29,6 +29,23 @@ double largest_curvature(const Isosurface& surface, const std::vector<CellBox>& 
   return largest;
 }
 
+/// Whether f is above `value` at a node of the lattice's border.
+bool is_inside_at_border(const Isosurface& surface, double value) {
+  const auto [nx, ny, nz] = surface.lattice().size;
+  std::vector<float> slab;
+  for (int k = 0; k < nz; ++k) {
+    surface.node_values(k, slab);
+    for (int j = 0; j < ny; ++j) {
+      const bool whole_row = k == 0 || k == nz - 1 || j == 0 || j == ny - 1;
+      const int step = whole_row ? 1 : std::max(nx - 1, 1);
+      for (int i = 0; i < nx; i += step) {
+        if (slab[surface.lattice().index(i, j, 0)] > value) return true;
+      }
+    }
+  }
+  return false;
+}
+
 class Search {
  public:
   Search(const Isosurface& surface, double narrowest, std::vector<CellBox> singular, Monitor& monitor)
@@ -50,6 +67,7 @@ class Search {
         if (take(sign * share * range_)) return std::move(found_);
       }
     }
+    if (unusable_) return std::move(*unusable_);
     throw DataError(
         fmt::format("isovalue {} is no regular value of F, and neither are those that were tried up to a hundredth of "
                     "the samples' range away; choose another isovalue, or smooth the volume",
@@ -57,10 +75,15 @@ class Search {
   }
 
  private:
+  /// Whether f = `value` is a surface whose object stays away from the border. If its object reaches the border, as on
+  /// one side of a plateau that does, or it is empty, it is kept for the case that there is none else.
   bool take(double value) {
     found_.topology = certified_topology(surface_, monitor_, usual_cut, value);
     found_.value = value;
-    return found_.topology.is_regular;
+    if (!found_.topology.is_regular) return false;
+    if (!found_.topology.components.empty() && !is_inside_at_border(surface_, value)) return true;
+    if (!unusable_) unusable_ = found_;
+    return false;
   }
 
   /// Looks on one side of 0, as far as there is no further critical value.
@@ -92,6 +115,7 @@ class Search {
   const double range_;
   const double curvature_;
   RegularValue found_;
+  std::optional<RegularValue> unusable_;
 };
 
 }  // namespace

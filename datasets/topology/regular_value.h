@@ -27,8 +27,9 @@ struct RegularValue {
 /// between 0 and the value, and at which the narrowest place is wider than `narrowest` voxels: at a singular place with
 /// the curvature λ (the largest magnitude of an eigenvalue of the Hessian) and a value that is s away, the place is
 /// 2√(2s/|λ|) wide. If all are narrower, takes the largest without a further critical value; then tries the same
-/// upwards; then values that pass further critical values. Values up to a quarter of the smallest change count as 0
-/// itself.
+/// upwards; then values that pass further critical values. A surface that is empty or whose object reaches the border
+/// is taken only if no other is found: so a plateau that reaches the border, such as a background of the value 0, is
+/// left outside. Values up to a quarter of the smallest change count as 0 itself.
 ///
 /// Throws DataError if there is no regular value among these; Cancelled. Cost: that of certified_topology() for a
 /// regular value, else some five times that.

@@ -78,6 +78,11 @@ void add_surface(CLI::App& verb, SurfaceArguments& surface) {
   add(verb, "--smooth", surface.smooth, "S",
       fmt::format("with --volume: smooth by a Gaussian with a sigma of S voxels (default: {})", surface.smooth))
       ->check(CLI::NonNegativeNumber);
+  add(verb, "--border", surface.border, "HOW",
+      fmt::format(
+          "with --volume: close an object that reaches the volume's border, outside it, or refuse it (default: {})",
+          surface.border))
+      ->check(CLI::IsMember({"close", "refuse"}));
   add(verb, "--min-component", surface.choices.min_component, "V",
       "leave out islands and cavities of the surface that enclose less than V mm³ (default: none)")
       ->check(CLI::NonNegativeNumber);

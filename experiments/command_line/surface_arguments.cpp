@@ -18,10 +18,13 @@ Dataset load(const SurfaceArguments& surface, Monitor& monitor) {
   const Monitor::Stage stage = monitor.stage("prepare");
   if (!surface.dataset.empty()) return load_dataset(surface.dataset, monitor, {}, surface.choices.min_component);
   const Inside inside = surface.inside == "above" ? Inside::above : Inside::below;
-  return dataset_from_file(
-      surface.volume,
-      {.isovalue = *surface.isovalue, .inside = inside, .smooth_voxels = surface.smooth, .choices = surface.choices},
-      monitor);
+  return dataset_from_file(surface.volume,
+                           {.isovalue = *surface.isovalue,
+                            .inside = inside,
+                            .smooth_voxels = surface.smooth,
+                            .border = surface.border == "close" ? Border::close : Border::refuse,
+                            .choices = surface.choices},
+                           monitor);
 }
 
 }  // namespace isobench

@@ -15,6 +15,7 @@ struct SurfaceArguments {
   std::optional<double> isovalue;
   std::string inside = "above";
   double smooth = 0.0;  ///< Gaussian sigma, voxels
+  std::string border = "close";
   SurfaceChoices choices;
 
   bool given() const { return !dataset.empty() || !volume.empty() || isovalue.has_value(); }
