@@ -43,7 +43,7 @@ TEST_P(CatalogueOnVolumes, ArePreparedToTheSizeKnown) {
 INSTANTIATE_TEST_SUITE_P(Real, CatalogueOnVolumes,
                          testing::Values(Expected{"brain", {138, 176, 146}, {1.0, 1.0, 1.0}},
                                          Expected{"pelvis", {318, 200, 236}, {1.0, 1.0, 1.0}},
-                                         Expected{"skull", {256, 256, 113}, {1.0, 1.0, 2.0}},
+                                         Expected{"skull", {256, 256, 116}, {1.0, 1.0, 2.0}},
                                          Expected{"vessel", {312, 286, 160}, {0.46875, 0.46875, 0.7}},
                                          Expected{"skull-small", {64, 64, 64}, {3.94305, 3.94305, 3.65079}},
                                          Expected{"brain-mni", {151, 188, 160}, {1.0, 1.0, 1.0}}),
