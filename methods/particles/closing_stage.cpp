@@ -24,6 +24,12 @@ void record_defects(const Defects& defects, const std::string& when, Monitor& mo
   monitor.set("cure/differing components " + when, static_cast<double>(defects.differing));
 }
 
+std::string difference_text(const std::vector<Eigen::Vector3d>& places, const Isosurface& surface) {
+  const Eigen::Vector3d at = surface.lattice().to_world(places.front());
+  return fmt::format("the mesh differs from {} component{} of F = c, near ({:.4g}, {:.4g}, {:.4g}) mm{}", places.size(),
+                     places.size() == 1 ? "" : "s", at[0], at[1], at[2], places.size() == 1 ? "" : " for example");
+}
+
 std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& sized, Particles& particles,
                                       Monitor& monitor) {
   LabelledDelaunay delaunay(particles.points, task.surface, monitor);
@@ -42,10 +48,7 @@ std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& siz
     monitor.set("cure/relaxations", cured.relaxations);
     monitor.set("cure/relaxed", static_cast<double>(cured.relaxed));
     monitor.set("cure/labels changed", static_cast<double>(cured.flipped));
-    if (cured.after.all() > 0) {
-      monitor.note(fmt::format("the cure left {} defects: the topology of the mesh may differ from the surface's",
-                               cured.after.all()));
-    }
+    if (!cured.differs_near.empty()) monitor.note(difference_text(cured.differs_near, task.surface));
   }
   return delaunay.triangles();
 }

@@ -59,16 +59,19 @@ class Curing {
   CureResult run(Monitor& monitor) {
     Findings found = find_defects();
     result_.before = found.defects;
-    constexpr int most_comparisons = 3;
+    const int most_comparisons = options_.rounds > 0 || options_.relaxations > 0 ? 3 : 0;
     for (int comparison = 0;; ++comparison) {
       remove_defects(found, monitor);
-      if (found.defects.all() > 0) break;
-      const std::vector<char> differing = differing_components();
-      found.defects.differing = static_cast<std::size_t>(std::count(differing.begin(), differing.end(), 1));
-      if (found.defects.differing == 0 || comparison == most_comparisons) break;
+      const std::vector<std::vector<Eigen::Vector3d>> places = small_places(differing_components());
+      found.defects.differing = places.size();
+      result_.differs_near.clear();
+      for (const auto& of_component : places) result_.differs_near.push_back(of_component.front());
+      if (places.empty() || comparison == most_comparisons) break;
       proposed_.clear();
       relaxation_centres_.clear();
-      for (const Eigen::Vector3d& x : small_places(differing)) propose(x, 0);
+      for (const auto& of_component : places) {
+        for (const Eigen::Vector3d& x : of_component) propose(x, 0);
+      }
       if (insert_proposals() == 0) break;
       if (options_.relaxations > 0) relax(monitor);
       check_all_next();
@@ -105,21 +108,26 @@ class Curing {
     return differing;
   }
 
-  // The points on F = c in the smallest boxes of these components: where tunnels and bridges are decided.
-  std::vector<Eigen::Vector3d> small_places(const std::vector<char>& components) const {
+  // For each of these components, points on F = c in its smallest boxes: where tunnels and bridges are decided. At
+  // least one, the middle of a box where no projection ends.
+  std::vector<std::vector<Eigen::Vector3d>> small_places(const std::vector<char>& components) const {
     constexpr std::size_t most = 256;  // for each component
     std::vector<std::vector<SurfaceBox>> boxes(components.size());
     topology_.boxes->for_each([&](const SurfaceBox& box) {
       if (components[box.component] != 0) boxes[box.component].push_back(box);
     });
-    std::vector<Eigen::Vector3d> places;
+    std::vector<std::vector<Eigen::Vector3d>> places;
     for (std::vector<SurfaceBox>& of : boxes) {
+      if (of.empty()) continue;
       std::stable_sort(of.begin(), of.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
       if (of.size() > most) of.resize(most);
+      std::vector<Eigen::Vector3d> feet;
       for (const SurfaceBox& box : of) {
         const auto foot = sized_.surface().project(0.5 * (box.box.low + box.box.high));
-        if (foot) places.push_back(*foot);
+        if (foot) feet.push_back(*foot);
       }
+      if (feet.empty()) feet.emplace_back(0.5 * (of.front().box.low + of.front().box.high));
+      places.push_back(std::move(feet));
     }
     return places;
   }

@@ -3,7 +3,9 @@
 // the feature size (Boissonnat, Oudot 2005), so adding particles helps in the end.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 #include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/methods/closing/labelled_delaunay.h"
@@ -13,14 +15,12 @@ namespace isobench::particles {
 
 /// The numbers of defects of a triangulation.
 struct Defects {
-  std::size_t pinched = 0;   ///< points whose triangles do not form one closed fan
-  std::size_t isolated = 0;  ///< points without a triangle
-  std::size_t tilted = 0;    ///< triangles at more than 60° to the normal at one of their corners
-  std::size_t crossed = 0;   ///< triangles whose dual edge crosses the surface more than once
-  std::size_t lost = 0;      ///< components of F = c on which no point has a triangle
-  /// Components of F = c that the triangulation shows otherwise than they are (component_match.h). Looked for only
-  /// where there is no other defect.
-  std::size_t differing = 0;
+  std::size_t pinched = 0;    ///< points whose triangles do not form one closed fan
+  std::size_t isolated = 0;   ///< points without a triangle
+  std::size_t tilted = 0;     ///< triangles at more than 60° to the normal at one of their corners
+  std::size_t crossed = 0;    ///< triangles whose dual edge crosses the surface more than once
+  std::size_t lost = 0;       ///< components of F = c on which no point has a triangle
+  std::size_t differing = 0;  ///< components of F = c shown otherwise than they are (component_match.h); in the end
 
   std::size_t all() const { return pinched + isolated + tilted + crossed + lost + differing; }
 };
@@ -35,11 +35,12 @@ struct CureOptions {
 struct CureResult {
   Defects before;
   Defects after;
-  std::size_t inserted = 0;  ///< particles added because of defects
-  std::size_t relaxed = 0;   ///< particles that relaxations exchanged, summed over all relaxations
-  std::size_t flipped = 0;   ///< cells whose label was changed as a last resort
-  int rounds = 0;            ///< rounds done without relaxation
-  int relaxations = 0;       ///< relaxations done
+  std::vector<Eigen::Vector3d> differs_near;  ///< a place on each component that differs in the end
+  std::size_t inserted = 0;                   ///< particles added because of defects
+  std::size_t relaxed = 0;                    ///< particles that relaxations exchanged, summed over all relaxations
+  std::size_t flipped = 0;                    ///< cells whose label was changed as a last resort
+  int rounds = 0;                             ///< rounds done without relaxation
+  int relaxations = 0;                        ///< relaxations done
 };
 
 /// Adds particles where the triangulation differs from the surface: where the dual edges of defective facets cross

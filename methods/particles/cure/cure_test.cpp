@@ -125,6 +125,16 @@ TEST(ParticlesCure, FindsAComponentThatHasNoParticles) {
   expect_closed(spheres.mesh, phantom("near-spheres"));
 }
 
+TEST(ParticlesCure, SaysWhereTheMeshDiffersIfItMayNotAddParticles) {
+  Case sheets("thin-sheets", 96, 4.0);
+  const std::size_t count = sheets.all.size();
+  const CureResult cured = sheets.run(0, 0);
+  EXPECT_EQ(sheets.all.size(), count);
+  ASSERT_GT(cured.after.differing, 0U);
+  ASSERT_EQ(cured.differs_near.size(), cured.after.differing);
+  for (const Eigen::Vector3d& place : cured.differs_near) EXPECT_LT(std::abs(sheets.surface.value(place)), 1e-3);
+}
+
 TEST(ParticlesCure, DoesNotDependOnThreads) {
   std::vector<TriangleMesh> meshes;
   for (const std::size_t threads : {1, 4}) {
