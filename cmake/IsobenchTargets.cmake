@@ -142,6 +142,27 @@ function(isobench_code_of_readme readme output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${readme})
 endfunction()
 
+# isobench_batch_rooms(target …): with ISOBENCH_UNITY, compiles the sources of each folder together, but for those beside a
+# method.cpp: each of these defines mesh() for itself, and whoever adds a method need not know the names in the others.
+function(isobench_batch_rooms)
+  if(NOT ISOBENCH_UNITY)
+    return()
+  endif()
+  foreach(target ${ARGN})
+    get_target_property(sources ${target} SOURCES)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    foreach(source ${sources})
+      get_filename_component(path ${source} ABSOLUTE)
+      get_filename_component(folder ${path} DIRECTORY)
+      file(RELATIVE_PATH room ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
+      if(room AND NOT room MATCHES "^\\.\\." AND NOT EXISTS ${folder}/method.cpp)
+        string(MAKE_C_IDENTIFIER ${room} group)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
 # isobench_registry(output KIND kind FILES file …): a source file that lists all methods or all metrics. KIND is
 # "method" or "metric"; each FILE is the method.cpp or metric.cpp in a folder with the name of the method or metric. The
 # lists are explicit, because linkers drop objects that register themselves.
