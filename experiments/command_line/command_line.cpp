@@ -4,11 +4,14 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <new>
+#include <string>
 
 #include "isobench/experiments/command_line/help_formatter.h"
 #include "isobench/experiments/command_line/verbs.h"
@@ -322,11 +325,19 @@ int parse_and_run(int argc, char** argv) {
   return line.action();
 }
 
+// Otherwise the end of the output, which is still in memory, would be lost without a word.
+void flush_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw Error(std::string("the output cannot be written: ") + std::strerror(errno) + "; free some space");
+}
+
 }  // namespace
 
 int command_line(int argc, char** argv) {
   try {
-    return parse_and_run(argc, argv);
+    const int code = parse_and_run(argc, argv);
+    flush_output();
+    return code;
   } catch (const UsageError& error) {
     fmt::print(stderr, "isobench: {}\n", error.what());
     return 2;

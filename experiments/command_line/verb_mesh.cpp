@@ -7,7 +7,6 @@
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
-#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/method.h"
 #include "isobench/metrics/topology/topology.h"
@@ -86,12 +85,6 @@ void note_specks(const Dataset& dataset, Monitor& monitor) {
                            dataset.title, specks, all, speck_voxels, speck, remedy));
 }
 
-void write_whole(const TriangleMesh& mesh, const fs::path& output) {
-  PartialFile partial(output);
-  write_mesh(mesh, partial.path());
-  partial.complete();
-}
-
 }  // namespace
 
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
@@ -118,7 +111,7 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
     const TriangleMesh mesh =
         to_world(mesh_and_measure(dataset, request, monitor, record, bounds), dataset.surface->lattice());
     console.clear();
-    if (!arguments.output.empty()) write_whole(mesh, arguments.output);
+    if (!arguments.output.empty()) write_mesh(mesh, arguments.output);
     write_artefacts(monitor.artefacts(), dataset.surface->lattice(), arguments.artefacts);
   } catch (const Skipped& skipped) {
     console.clear();

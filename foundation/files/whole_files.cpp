@@ -4,15 +4,31 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <deque>
 #include <fstream>
+#include <system_error>
 #include <utility>
-
-#include "isobench/foundation/error.h"
 
 namespace isobench {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+const char* remedy_of(int cause) {
+  switch (cause) {
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space or write to another disk";
+    case EFBIG:
+      return "raise the limit on the size of files (ulimit -f) or write to another disk";
+    default:
+      return "check that its folder exists and that you may write there";
+  }
+}
+
+}  // namespace
 
 PartialFile::PartialFile(fs::path target)
     : target_(std::move(target)),
@@ -24,8 +40,15 @@ PartialFile::~PartialFile() {
 }
 
 void PartialFile::complete() {
-  fs::rename(temporary_, target_);
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) throw not_written(target_, error.value());
   temporary_.clear();
+}
+
+Error not_written(const fs::path& path, int cause) {
+  const std::string reason = cause == 0 ? "" : ": " + std::generic_category().message(cause);
+  return Error(path.string() + ": cannot be written" + reason + "; " + remedy_of(cause));
 }
 
 std::string read_text(const fs::path& path) {
@@ -57,10 +80,11 @@ void write_text(const fs::path& path, const std::string& text) {
 
 void write_text(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   PartialFile partial(path);
+  errno = 0;
   std::ofstream file(partial.path(), std::ios::binary);
   write(file);
   file.close();
-  if (!file) throw Error(path.string() + ": cannot be written; is the disk full or the folder read-only?");
+  if (!file) throw not_written(path, errno);
   partial.complete();
 }
 

@@ -8,6 +8,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "isobench/foundation/error.h"
+
 namespace isobench {
 
 /// A file that gets its name only when it is complete. Until then it has a temporary name beside the final one and the
@@ -24,7 +26,7 @@ class PartialFile {
 
   /// Where to write.
   const std::filesystem::path& path() const { return temporary_; }
-  /// Gives the file its final name, in place of an older file. Close it first.
+  /// Gives the file its final name, in place of an older file. Close it first. Throws not_written().
   void complete();
 
  private:
@@ -32,12 +34,16 @@ class PartialFile {
   std::filesystem::path temporary_;
 };
 
+/// The error to throw where a file could not be written: its name, the cause and what helps. `cause` is a value of
+/// errno; 0 if it is not known.
+Error not_written(const std::filesystem::path& path, int cause);
+
 /// Throws DataError, naming the file, if it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 /// The same; "" if it cannot be read.
 std::string read_text_or_empty(const std::filesystem::path& path);
 
-/// Writes through a PartialFile. Throws Error, naming the file, if it cannot be written.
+/// Writes through a PartialFile, so an older file stays if this one cannot be written. Throws not_written() then.
 void write_text(const std::filesystem::path& path, const std::string& text);
 /// The same for a text that is too long to be held in memory.
 void write_text(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);

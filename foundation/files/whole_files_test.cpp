@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <fstream>
+#include <functional>
 
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/testing/file_size_limit.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -41,6 +44,45 @@ TEST(WholeFiles, ThatCannotBeReadOrWrittenAreNamed) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("none/file.txt: cannot be written"), std::string::npos) << error.what();
   }
+}
+
+std::string message_of(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "written";
+}
+
+TEST(WholeFiles, OnAFullDiskTheOldFileStays) {
+  const TestFolder folder;
+  const fs::path path = folder.write("file.txt", "old");
+  const FileSizeLimit full(20000);
+  const std::string causes = "file.txt: cannot be written: File too large; raise the limit";
+  // More than a stream holds back, so that writing fails before the end; and less, so that only closing fails.
+  for (const std::size_t size : {std::size_t{1000000}, std::size_t{20001}}) {
+    const std::string message = message_of([&] { write_text(path, std::string(size, 'x')); });
+    EXPECT_NE(message.find(causes), std::string::npos) << message;
+    const auto in_lines = [size](std::ostream& file) {
+      for (std::size_t n = 0; n < size; n += 10) file << "123456789\n";
+    };
+    EXPECT_EQ(message_of([&] { write_text(path, in_lines); }), message);
+    EXPECT_EQ(read_text(path), "old");
+    EXPECT_EQ(files_in(folder), 1U);
+  }
+}
+
+TEST(WholeFiles, SayWhatHelps) {
+  EXPECT_STREQ(not_written("a/b", ENOSPC).what(),
+               "a/b: cannot be written: No space left on device; free some space or write to another disk");
+  EXPECT_STREQ(not_written("a/b", 0).what(),
+               "a/b: cannot be written; check that its folder exists and that you may write there");
+  const TestFolder folder;
+  fs::create_directories(folder.path() / "taken" / "by a folder");
+  const std::string message = message_of([&] { write_text(folder.path() / "taken", "text"); });
+  EXPECT_NE(message.find("taken: cannot be written: Is a directory; check"), std::string::npos) << message;
+  EXPECT_EQ(files_in(folder), 1U);
 }
 
 TEST(WholeFiles, AFailedWriterLeavesTheOldFile) {

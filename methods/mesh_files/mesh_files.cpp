@@ -67,14 +67,6 @@ std::string read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-void write_bytes(const std::string& bytes, const std::filesystem::path& path) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file)
-    throw Error(path.string() + ": cannot be written; check that its folder exists, is writable and has free space");
-}
-
 void bad_mesh(const std::filesystem::path& path, const std::string& message) {
   throw DataError(path.string() + ": " + message);
 }

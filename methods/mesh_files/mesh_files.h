@@ -10,11 +10,11 @@
 
 namespace isobench {
 
-/// Throws UsageError for an unknown ending, Error if the file cannot be written.
+/// Throws UsageError for an unknown ending. Throws Error if the file cannot be written; an older file then stays.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
 
 /// Writes the artefacts of a monitor (points with data), each to `folder`/<name>.vtp, in world coordinates. Throws
-/// Error if a file cannot be written.
+/// Error if a file cannot be written; an older file then stays.
 void write_artefacts(const std::map<std::string, Artefact>& artefacts, const Lattice& lattice,
                      const std::filesystem::path& folder);
 

@@ -15,6 +15,7 @@
 
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/files/whole_files.h"
+#include "isobench/foundation/testing/file_size_limit.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -313,6 +314,24 @@ TEST_F(MeshFiles, ArtefactsArePointsInTheWorld) {
   ASSERT_NE(data.GetPointData()->GetArray("radius"), nullptr);
   EXPECT_EQ(data.GetPointData()->GetArray("radius")->GetTuple1(1), 1.0 / 7.0);
   EXPECT_THROW(write_artefacts({{"medial-axis", axis}}, lattice, folder_ / "nowhere"), Error);
+}
+
+TEST_F(MeshFiles, OnAFullDiskTheOldFileStays) {
+  const FileSizeLimit full(100);
+  for (const char* ending : {"vtp", "ply", "off", "obj", "stl"}) {
+    const std::string name = std::string("mesh.") + ending;
+    const std::filesystem::path path = file(name, "old");
+    try {
+      written(name);
+      FAIL() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find(path.string() + ": cannot be written: File too large; "), 0U)
+          << error.what();
+    }
+    EXPECT_EQ(read_text(path), "old");
+  }
+  const auto files = std::distance(std::filesystem::directory_iterator(folder_), {});
+  EXPECT_EQ(files, 5);
 }
 
 }  // namespace

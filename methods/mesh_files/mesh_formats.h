@@ -3,7 +3,8 @@
 // by VTK.
 //
 // Readers throw DataError, with the file's name, if the content is not of the format or ends early. read_mesh() checks
-// indices and coordinates for all formats. Writers throw Error.
+// indices and coordinates for all formats. Writers write whole files (whole_files.h): if that fails, they throw Error,
+// and an older file stays.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +28,6 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path);
 
 /// The bytes of a file. Throws DataError if it is missing, not a file, or empty.
 std::string read_bytes(const std::filesystem::path& path);
-/// Throws Error if the file cannot be written completely.
-void write_bytes(const std::string& bytes, const std::filesystem::path& path);
 /// Throws DataError("path: message").
 [[noreturn]] void bad_mesh(const std::filesystem::path& path, const std::string& message);
 

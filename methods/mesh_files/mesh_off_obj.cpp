@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"
 
@@ -97,7 +98,7 @@ void write_off(const TriangleMesh& mesh, const std::filesystem::path& path) {
   // "{}" prints the fewest digits from which the same double is read back.
   for (const Eigen::Vector3d& v : mesh.vertices) fmt::format_to(out, "{} {} {}\n", v.x(), v.y(), v.z());
   for (const Triangle& t : mesh.triangles) fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
-  write_bytes(text, path);
+  write_text(path, text);
 }
 
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
@@ -107,7 +108,7 @@ void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
   for (const Triangle& t : mesh.triangles) {
     fmt::format_to(out, "f {} {} {}\n", std::uint64_t{t[0]} + 1, std::uint64_t{t[1]} + 1, std::uint64_t{t[2]} + 1);
   }
-  write_bytes(text, path);
+  write_text(path, text);
 }
 
 }  // namespace isobench

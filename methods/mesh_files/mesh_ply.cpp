@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_bytes.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"
@@ -232,7 +233,7 @@ void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path) {
     put_number(bytes, std::uint8_t{3});
     for (const std::uint32_t corner : triangle) put_number(bytes, corner);
   }
-  write_bytes(bytes, path);
+  write_text(path, bytes);
 }
 
 }  // namespace isobench

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_bytes.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"
@@ -115,7 +116,7 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path) {
     }
     put_number(bytes, std::uint16_t{0});
   }
-  write_bytes(bytes, path);
+  write_text(path, bytes);
 }
 
 }  // namespace isobench

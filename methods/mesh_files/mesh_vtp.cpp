@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -12,6 +13,7 @@
 #include "isobench/datasets/formats/vtk_messages.h"
 #include "isobench/datasets/formats/vtk_xml.h"
 #include "isobench/foundation/error.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"
@@ -95,17 +97,19 @@ vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Eigen::Vector3d>& positions)
 }
 
 void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
-  write_bytes("", path);  // throws if the file cannot be written; VTK would print
+  // In memory, because VTK does not say why a file cannot be written.
   const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(path.c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
   if (writer->Write() != 1 || writer->GetErrorCode() != 0 || messages.failed()) {
-    throw Error(path.string() + ": writing failed; is the disk full?");
+    throw Error(fmt::format("{}: VTK cannot write this mesh ({}); write another format, such as .ply", path.string(),
+                            messages.first_error()));
   }
+  write_text(path, writer->GetOutputString());
 }
 
 }  // namespace
