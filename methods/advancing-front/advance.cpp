@@ -184,7 +184,7 @@ bool Advance::retry_waiting() {
 
 void Advance::run(const Monitor& monitor) {
   do {
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !is_endless()) {
       const Entry entry = queue_.top();
       queue_.pop();
       if (!valid(entry)) continue;
@@ -195,7 +195,7 @@ void Advance::run(const Monitor& monitor) {
         try_connect(entry);
       }
     }
-  } while (retry_waiting());
+  } while (!is_endless() && retry_waiting());
 }
 
 }  // namespace isobench::advancing_front

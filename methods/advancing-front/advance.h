@@ -31,9 +31,11 @@ struct Counts {
 /// after all others. The failsafe closes what then remains.
 class Advance {
  public:
-  /// Keeps references. New vertices stay within `bounds`.
-  Advance(const Isosurface& surface, Step step, Front& front, Counts& counts, const Eigen::AlignedBox3d& bounds)
-      : surface_(surface), step_(std::move(step)), front_(front), counts_(counts), bounds_(bounds) {}
+  /// Keeps references. New vertices stay within `bounds`. Advancing stops when the front has `most` triangles: sheets
+  /// that cross each other could make it go round for ever.
+  Advance(const Isosurface& surface, Step step, Front& front, Counts& counts, const Eigen::AlignedBox3d& bounds,
+          std::size_t most)
+      : surface_(surface), step_(std::move(step)), front_(front), counts_(counts), bounds_(bounds), most_(most) {}
 
   /// Queues all edges of the loop through a node.
   void add_loop(int node);
@@ -41,6 +43,8 @@ class Advance {
   void run(const Monitor& monitor);
   /// Whether the bounds have kept an edge from growing.
   bool strayed() const { return strayed_; }
+  /// Whether advancing stopped early.
+  bool is_endless() const { return front_.triangles().size() >= most_; }
 
  private:
   struct Rules;
@@ -81,6 +85,7 @@ class Advance {
   Front& front_;
   Counts& counts_;
   Eigen::AlignedBox3d bounds_;
+  std::size_t most_;
   bool strayed_ = false;
   std::priority_queue<Entry> queue_;
   std::uint64_t order_ = 0;

@@ -9,6 +9,8 @@
 #include <string>
 
 #include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/methods/advancing-front/advance.h"
+#include "isobench/methods/advancing-front/seeds.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
@@ -250,6 +252,28 @@ TEST(AdvancingFront, StopsWhenCancelled) {
   Monitor monitor;
   monitor.cancel();
   EXPECT_THROW(mesh_of(surface, uniform(2.0), monitor), Cancelled);
+}
+
+TEST(AdvancingFront, StopsAtTheMostTriangles) {
+  using namespace advancing_front;
+  const Isosurface surface(sample_phantom(phantom("sphere"), 32), 0.0);
+  const Step step = [&surface](const Eigen::Vector3d&) { return 2.0 * surface.voxel(); };
+  Monitor monitor;
+  const Eigen::Vector3d start = marching_cubes(surface, monitor).vertices[0];
+  const auto triangles = [&](std::size_t most) {
+    Front front(2.0 * surface.voxel());
+    Counts counts;
+    Advance advance(surface, step, front, counts, {Eigen::Vector3d::Zero(), surface.extent()}, most);
+    advance.add_loop(front.seed(seed_triangle(surface, step, start, 1).value()));
+    advance.run(monitor);
+    EXPECT_EQ(advance.is_endless(), front.triangles().size() >= most);
+    return front.triangles().size();
+  };
+  const std::size_t all = triangles(100000);
+  EXPECT_GT(all, 100U);
+  EXPECT_LT(all, 100000U);
+  EXPECT_GE(triangles(50), 50U);
+  EXPECT_LE(triangles(50), 52U);
 }
 
 }  // namespace

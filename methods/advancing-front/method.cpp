@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -44,6 +45,7 @@ class Mesher {
           "advancing-front: the surface reaches the border of the volume; this method needs a closed surface");
     }
     components_ = components_of(lattice_mesh_);
+    most_triangles_ = triangles_without_end();
     start_and_advance();
     close();
     take_over(front_);
@@ -70,6 +72,20 @@ class Mesher {
     return std::any_of(lattice_mesh_.vertices.begin(), lattice_mesh_.vertices.end(), [&](const Eigen::Vector3d& x) {
       return (x.array() <= 0.0).any() || (x.array() >= task_.surface.extent().array()).any();
     });
+  }
+
+  /// Several times the number of triangles that the surface can have room for.
+  std::size_t triangles_without_end() const {
+    double expected = 0.0;
+    for (const auto& [a, b, c] : lattice_mesh_.triangles) {
+      const auto& x = lattice_mesh_.vertices;
+      const double area = 0.5 * (x[b] - x[a]).cross(x[c] - x[a]).norm();
+      const double step = step_((x[a] + x[b] + x[c]) / 3.0);
+      expected += area / (0.25 * std::sqrt(3.0) * step * step);
+    }
+    constexpr double too_many = 20.0;
+    constexpr std::size_t for_a_component = 2000;  // however small it is
+    return static_cast<std::size_t>(too_many * expected) + for_a_component * components_.size();
   }
 
   /// The step, limited to this share of the component's diagonal.
@@ -110,9 +126,11 @@ class Mesher {
     const auto corners = seed_triangle(task_.surface, step, point, task_.seed);
     if (!corners) return false;
     ++counts_.seed;
-    Advance advance(task_.surface, step, front_, counts_, {Eigen::Vector3d::Zero(), task_.surface.extent()});
+    Advance advance(task_.surface, step, front_, counts_, {Eigen::Vector3d::Zero(), task_.surface.extent()},
+                    most_triangles_);
     advance.add_loop(front_.seed(*corners));
     advance.run(monitor_);
+    if (advance.is_endless()) monitor_.note(fmt::format("advancing-front: no end of the front at {}", place(point)));
     return true;
   }
 
@@ -181,7 +199,7 @@ class Mesher {
         Front front((*corners)[0].step);
         Counts counts = counts_;
         ++counts.seed;
-        Advance advance(task_.surface, step, front, counts, bounds);
+        Advance advance(task_.surface, step, front, counts, bounds, most_triangles_);
         advance.add_loop(front.seed(*corners));
         advance.run(monitor_);
         if (advance.strayed() || front.alive() > 0) continue;
@@ -201,6 +219,7 @@ class Mesher {
   std::vector<Vertex> vertices_;
   TriangleMesh result_;
   Counts counts_;
+  std::size_t most_triangles_ = 0;
   std::size_t bare_places_ = 0;
   Monitor& monitor_;
 };

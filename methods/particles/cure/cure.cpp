@@ -59,6 +59,7 @@ class Curing {
   CureResult run(Monitor& monitor) {
     Findings found = find_defects();
     result_.before = found.defects;
+    most_particles_ = particles_without_end();
     const int most_comparisons = options_.rounds > 0 || options_.relaxations > 0 ? 3 : 0;
     for (int comparison = 0;; ++comparison) {
       remove_defects(found, monitor);
@@ -66,7 +67,7 @@ class Curing {
       found.defects.differing = places.size();
       result_.differs_near.clear();
       for (const auto& of_component : places) result_.differs_near.push_back(of_component.front());
-      if (places.empty() || comparison == most_comparisons) break;
+      if (places.empty() || comparison == most_comparisons || is_endless()) break;
       proposed_.clear();
       relaxation_centres_.clear();
       for (const auto& of_component : places) {
@@ -83,14 +84,14 @@ class Curing {
 
  private:
   void remove_defects(Findings& found, Monitor& monitor) {
-    while (found.defects.all() > 0 && result_.relaxations < options_.relaxations) {
+    while (found.defects.all() > 0 && result_.relaxations < options_.relaxations && !is_endless()) {
       monitor.progress(static_cast<double>(result_.relaxations) / options_.relaxations);
       add_particles(found);
       if (relaxation_centres_.empty()) break;
       relax(monitor);
       found = find_defects();
     }
-    for (int round = 0; round < options_.rounds && found.defects.all() > 0; ++round) {
+    for (int round = 0; round < options_.rounds && found.defects.all() > 0 && !is_endless(); ++round) {
       monitor.check();
       if (add_particles(found) == 0) break;
       ++result_.rounds;
@@ -98,6 +99,17 @@ class Curing {
     }
     cut_pinches(found);
   }
+
+  // Several times the particles that any surface needs: each box of the proof holds a single disc.
+  std::size_t particles_without_end() const {
+    std::size_t boxes = 0;
+    topology_.boxes->for_each([&boxes](const SurfaceBox&) { ++boxes; });
+    return 1000 + 2 * particles_.size() + 8 * boxes;
+  }
+
+  // Whether adding more is in vain. With derivatives that are not those of the values (Kernel::catmull_rom), tilted
+  // facets may remain at any density, and their number would grow from round to round.
+  bool is_endless() const { return particles_.size() > most_particles_; }
 
   std::vector<char> differing_components() const {
     const TriangleMesh mesh{particles_.points, delaunay_.triangles(), {}, {}};
@@ -327,6 +339,7 @@ class Curing {
   std::vector<std::vector<Eigen::Vector3d>> lost_components_;  // points on each lost component
   std::vector<Eigen::Vector3d> proposed_;
   std::vector<Eigen::Vector3d> relaxation_centres_;
+  std::size_t most_particles_ = 0;
   CureResult result_;
 };
 

@@ -53,7 +53,8 @@ struct CureResult {
 /// label of a cell.
 ///
 /// At the end, the triangulation is compared with F = c component by component. If one differs, it gets particles at
-/// its smallest places (the deepest boxes of the proof), and the cure begins again, at most three times.
+/// its smallest places (the deepest boxes of the proof), and the cure begins again, at most three times. No more
+/// particles are added once there are several for each box of the proof.
 ///
 /// The result does not depend on the number of threads. Cost: 1 µs a facet on all threads, and about 80 µs on one
 /// thread for each relaxed particle.

@@ -7,9 +7,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <set>
 
 #include "isobench/methods/mesh/self_intersections.h"
-#include "isobench/methods/particles/finish/local_search.h"
+#include "isobench/methods/particles/finish/bad_spots.h"
 #include "isobench/methods/particles/finish/smoothing.h"
 #include "isobench/methods/particles/finish/valence_edits.h"
 
@@ -33,12 +34,24 @@ constexpr int last_sweeps = 4;
 constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 
-void improve_tail(const FinishContext& context, EditableMesh& mesh, Monitor& monitor) {
+/// Where edges are long against the features, there are many bad spots that no search can mend. The budget bounds what
+/// is spent on them; other meshes need a small part of it.
+SearchBudget search_budget(const EditableMesh& mesh) {
+  constexpr double moves_per_vertex = 300.0;
+  constexpr double least_moves = 1e6;
+  return {least_moves + moves_per_vertex * static_cast<double>(mesh.vertex_count())};
+}
+
+void improve_tail(const FinishContext& context, EditableMesh& mesh, SearchBudget& budget, Monitor& monitor) {
+  const auto stage = monitor.stage("tail");
+  const double before = budget.moves;
   for (const SearchEffort& search : searches) {
     monitor.check();
-    const std::size_t improved = improve_bad_spots(context, mesh, ShapeGoal{}, search);
+    if (!(budget.moves > 0.0)) break;
+    const std::size_t improved = improve_bad_spots(context, mesh, ShapeGoal{}, search, budget);
     monitor.trace("finish/places improved", static_cast<double>(improved));
   }
+  monitor.add("finish/searched moves", before - budget.moves);
   monitor.set("finish/places left", static_cast<double>(count_bad_spots(context, mesh, ShapeGoal{})));
 }
 
@@ -54,17 +67,10 @@ void improve_everywhere(const FinishContext& context, EditableMesh& edited, int 
     const auto stage = monitor.stage("shape");
     smooth(context, edited, average_shape, sweeps_per_round);
   }
-  {
-    const auto stage = monitor.stage("shape");
-    smooth(context, edited, average_shape, last_sweeps);
-    monitor.add("finish/flipped", static_cast<double>(flip_for_shape(context, edited)));
-    smooth(context, edited, ShapeEnergy{1}, last_sweeps);
-  }
-  {
-    const auto stage = monitor.stage("tail");
-    improve_tail(context, edited, monitor);
-  }
-  project_all(context.surface, edited);
+  const auto stage = monitor.stage("shape");
+  smooth(context, edited, average_shape, last_sweeps);
+  monitor.add("finish/flipped", static_cast<double>(flip_for_shape(context, edited)));
+  smooth(context, edited, ShapeEnergy{1}, last_sweeps);
 }
 
 using TrianglePair = std::array<std::uint32_t, 2>;
@@ -103,31 +109,58 @@ double longest_edge(const TriangleMesh& mesh, std::uint32_t triangle) {
   return std::max({length(a, b), length(b, c), length(c, a)});
 }
 
+/// The finish of one mesh. Attempts that end with new intersections are repeated from the start.
+class Finishing {
+ public:
+  Finishing(const FinishContext& context, const TriangleMesh& mesh, int rounds, Monitor& monitor)
+      : context_(context), mesh_(mesh), rounds_(rounds), monitor_(monitor), untouched_(mesh.vertices.size(), 0) {}
+
+  TriangleMesh run() {
+    constexpr int attempts = 5;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      EditableMesh edited = editable(context_.surface, mesh_);
+      for (EditableMesh::Index v = 0; v < untouched_.size(); ++v) {
+        if (untouched_[v] != 0) edited.fix(v);
+      }
+      improve_everywhere(context_, edited, rounds_, monitor_);
+      // Before the tail, too: it takes most of the time if the mesh is bad.
+      if (!is_free_of_new_intersections(edited, edited.triangle_mesh(), attempt)) continue;
+      SearchBudget budget = search_budget(edited);
+      budget.moves *= std::exp2(-attempt);
+      improve_tail(context_, edited, budget, monitor_);
+      project_all(context_.surface, edited);
+      TriangleMesh finished = edited.triangle_mesh();
+      if (is_free_of_new_intersections(edited, finished, attempt)) return finished;
+    }
+    return mesh_;
+  }
+
+ private:
+  /// If not, marks the vertices near the intersections as untouched.
+  bool is_free_of_new_intersections(const EditableMesh& edited, const TriangleMesh& finished, int attempt) {
+    const auto stage = monitor_.stage("intersections");
+    const std::vector<TrianglePair> intersections = new_intersections(edited, untouched_, finished);
+    if (intersections.empty()) return true;
+    monitor_.add("finish/intersections rolled back", static_cast<double>(intersections.size()));
+    std::set<std::uint32_t> triangles;
+    for (const TrianglePair& pair : intersections) triangles.insert(pair.begin(), pair.end());
+    for (const std::uint32_t triangle : triangles)
+      mark_near(mesh_, finished, triangle, std::exp2(attempt) * longest_edge(finished, triangle), untouched_);
+    return false;
+  }
+
+  const FinishContext context_;
+  const TriangleMesh& mesh_;
+  const int rounds_;
+  Monitor& monitor_;
+  std::vector<std::uint8_t> untouched_;  // vertices of the given mesh that stay as they are
+};
+
 }  // namespace
 
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor) {
-  const FinishContext context{surface, sizing};
-  std::vector<std::uint8_t> untouched(mesh.vertices.size(), 0);  // vertices of the given mesh that stay as they are
-  constexpr int attempts = 5;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    EditableMesh edited = editable(surface, mesh);
-    for (EditableMesh::Index v = 0; v < untouched.size(); ++v) {
-      if (untouched[v] != 0) edited.fix(v);
-    }
-    improve_everywhere(context, edited, rounds, monitor);
-    TriangleMesh finished = edited.triangle_mesh();
-    const auto stage = monitor.stage("intersections");
-    const std::vector<TrianglePair> intersections = new_intersections(edited, untouched, finished);
-    if (intersections.empty()) return finished;
-    monitor.add("finish/intersections rolled back", static_cast<double>(intersections.size()));
-    for (const TrianglePair& pair : intersections) {
-      for (const std::uint32_t triangle : pair) {
-        mark_near(mesh, finished, triangle, std::exp2(attempt) * longest_edge(finished, triangle), untouched);
-      }
-    }
-  }
-  return mesh;
+  return Finishing({surface, sizing}, mesh, rounds, monitor).run();
 }
 
 }  // namespace isobench::particles

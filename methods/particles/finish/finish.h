@@ -9,9 +9,10 @@
 namespace isobench::particles {
 
 /// Each of the `rounds` changes connectivity by collapses, vertex splits and flips, which bring valences to 5–7, and
-/// then smooths the vertices (minimises Σ 1/Q³). After the rounds, a local search (local_search.h) improves the
-/// remaining bad spots: triangles, valences and edges that miss their goal. Vertices at borders and pinches stay where
-/// they are. Spots that no search improves enough are counted as "finish/places left".
+/// then smooths the vertices (minimises Σ 1/Q³). After the rounds, local searches (bad_spots.h) improve the remaining
+/// bad spots: triangles, valences and edges that miss their goal. Vertices at borders and pinches stay where they are.
+/// The searches have a budget in proportion to the mesh; what they spend is counted as "finish/searched moves", and the
+/// spots that are left as "finish/places left".
 ///
 /// With an adaptive sizing, edges above h0 are bad spots, and flips and collapses do not add any. With a uniform
 /// sizing, edge lengths are not checked. `mesh` samples F = c as densely as the sizing asks.
@@ -23,7 +24,8 @@ namespace isobench::particles {
 /// back". Self-intersections of the given mesh may remain.
 ///
 /// Stages "connectivity", "shape", "tail" and "intersections" of the monitor's current stage. The result does not
-/// depend on the number of threads. Cost: 10 to 25 µs of CPU time a vertex, on all threads.
+/// depend on the number of threads. Cost: 10 to 25 µs of CPU time a vertex, on all threads; at most about 1 ms a
+/// vertex, and a few seconds, for a mesh with very many bad spots.
 TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
                     Monitor& monitor);
 

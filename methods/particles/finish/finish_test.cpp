@@ -13,7 +13,7 @@
 #include "isobench/methods/mesh/sample_meshes.h"
 #include "isobench/methods/mesh/self_intersections.h"
 #include "isobench/methods/method.h"
-#include "isobench/methods/particles/finish/local_search.h"
+#include "isobench/methods/particles/finish/bad_spots.h"
 #include "isobench/methods/particles/finish/shape_energy.h"
 #include "isobench/methods/testing/test_requests.h"
 
@@ -241,10 +241,43 @@ TEST_F(FinishLocalSearch, ImprovesABadSpot) {
   ASSERT_EQ(shortfall(context, mesh_, ShapeGoal{}), 0.0);
   ASSERT_NE(split_edge_at_middle(context, mesh_, 100), EditableMesh::none);
   ASSERT_GT(shortfall(context, mesh_, ShapeGoal{}), 1.0);
-  EXPECT_EQ(improve_bad_spots(context, mesh_, ShapeGoal{}, {4, 2, 3}), 1U);
+  SearchBudget budget{1e6};
+  EXPECT_EQ(improve_bad_spots(context, mesh_, ShapeGoal{}, {4, 2, 3}, budget), 1U);
+  EXPECT_LT(budget.moves, 1e6);
   EXPECT_EQ(shortfall(context, mesh_, ShapeGoal{}), 0.0);
   EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).euler, 2);
   EXPECT_EQ(mesh_facts(mesh_.triangle_mesh()).open_edges, 0U);
+}
+
+// Two vertices of valence 4, far apart; one has a sliver as well.
+TEST_F(FinishLocalSearch, MendsTheWorstSpotsFirstIfTheBudgetIsSmall) {
+  const FinishContext context{surface_, sizing_};
+  const auto valences = [this] {
+    std::size_t bad = 0;
+    for (EditableMesh::Index v = 0; v < mesh_.vertex_count(); ++v)
+      bad += mesh_.alive(v) && valence_shortfall(mesh_, v) > 0.0 ? 1 : 0;
+    return bad;
+  };
+  const Eigen::Vector3d centre = 0.5 * surface_.extent();
+  EditableMesh::Index far = 100;
+  for (EditableMesh::Index e = 0; e < mesh_.half_edge_count(); ++e) {
+    const auto away = [&](EditableMesh::Index half) {
+      return (mesh_.points[mesh_.origin(half)] - mesh_.points[mesh_.origin(100)]).norm();
+    };
+    if (away(e) > away(far)) far = e;
+  }
+  const EditableMesh::Index mild = split_edge_at_middle(context, mesh_, 100);
+  const EditableMesh::Index bad = split_edge_at_middle(context, mesh_, far);
+  ASSERT_NE(mild, EditableMesh::none);
+  ASSERT_NE(bad, EditableMesh::none);
+  const Eigen::Vector3d aside = mesh_.points[mesh_.target(mesh_.out(bad))];
+  mesh_.points[bad] = centre + (0.2 * mesh_.points[bad] + 0.8 * aside - centre).normalized() * (aside - centre).norm();
+  ASSERT_EQ(valences(), 2U);
+  SearchBudget budget{1.0};
+  EXPECT_EQ(improve_bad_spots(context, mesh_, ShapeGoal{}, {4, 2, 3}, budget), 1U);
+  EXPECT_LT(budget.moves, 0.0);
+  EXPECT_GT(valence_shortfall(mesh_, mild), 0.0);
+  EXPECT_EQ(improve_bad_spots(context, mesh_, ShapeGoal{}, {4, 2, 3}, budget), 0U);
 }
 
 }  // namespace

@@ -114,15 +114,19 @@ void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy
   }
 }
 
-void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
-            std::span<const Index> vertices) {
+std::size_t smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+                   std::span<const Index> vertices) {
+  std::size_t tried = 0;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double most = 0.0;
     for (const Index v : vertices) {
-      if (mesh.movable(v)) most = std::max(most, improve_vertex(context, mesh, v, energy));
+      if (!mesh.movable(v)) continue;
+      most = std::max(most, improve_vertex(context, mesh, v, energy));
+      ++tried;
     }
-    if (most < at_rest) return;
+    if (most < at_rest) break;
   }
+  return tried;
 }
 
 void project_all(const Isosurface& surface, EditableMesh& mesh) {

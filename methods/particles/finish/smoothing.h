@@ -33,9 +33,9 @@ std::vector<std::vector<EditableMesh::Index>> colour(const EditableMesh& mesh);
 /// neither it nor a neighbour moved in its last turn. The result does not depend on the number of threads.
 void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps);
 
-/// The same for some vertices, in the order given and on one thread.
-void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
-            std::span<const EditableMesh::Index> vertices);
+/// The same for some vertices, in the order given and on one thread. Returns how often it tried to move one.
+std::size_t smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+                   std::span<const EditableMesh::Index> vertices);
 
 /// Projects all movable vertices to F = c, within 1e-6 voxel.
 void project_all(const Isosurface& surface, EditableMesh& mesh);
