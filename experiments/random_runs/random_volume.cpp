@@ -157,21 +157,21 @@ Field sparse(const Lattice& lattice, RandomNumbers& random) {
   return field;
 }
 
-struct Kind {
+struct VolumeKind {
   const char* name;
   Field (*make)(const Lattice&, RandomNumbers&);
   bool whole_numbers;
 };
 
-constexpr std::array kinds = {Kind{"floats", floats, false},
-                              Kind{"mask", mask, true},
-                              Kind{"plateaus", plateaus, true},
-                              Kind{"bytes with ties", bytes_with_ties, true},
-                              Kind{"blocks of labels", blocks_of_labels, true},
-                              Kind{"single voxels", single_voxels, true},
-                              Kind{"shell", shell, true},
-                              Kind{"chessboard", chessboard, true},
-                              Kind{"sparse", sparse, false}};
+constexpr std::array kinds = {VolumeKind{"floats", floats, false},
+                              VolumeKind{"mask", mask, true},
+                              VolumeKind{"plateaus", plateaus, true},
+                              VolumeKind{"bytes with ties", bytes_with_ties, true},
+                              VolumeKind{"blocks of labels", blocks_of_labels, true},
+                              VolumeKind{"single voxels", single_voxels, true},
+                              VolumeKind{"shell", shell, true},
+                              VolumeKind{"chessboard", chessboard, true},
+                              VolumeKind{"sparse", sparse, false}};
 
 template <class T>
 Samples convert(const std::vector<float>& samples) {
@@ -188,7 +188,7 @@ constexpr std::array<Conversion, 9> conversions = {
 }  // namespace
 
 RandomVolume random_volume(RandomNumbers& random) {
-  const Kind& kind = kinds[static_cast<std::size_t>(random.below(static_cast<int>(kinds.size())))];
+  const VolumeKind& kind = kinds[static_cast<std::size_t>(random.below(static_cast<int>(kinds.size())))];
   Field field = kind.make(random_lattice(random), random);
   const int types = kind.whole_numbers ? static_cast<int>(conversions.size()) : 2;
   const Conversion into = conversions[static_cast<std::size_t>(random.below(types))];
