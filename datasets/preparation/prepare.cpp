@@ -39,14 +39,15 @@ void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
                  },
                  [&](const CloseBorder& s) { close_border(volume, s); },
                  [&](const Subsample& s) { volume = subsample(floats(), s.factor); },
+                 [&](const Cut& s) { cut(volume, s); },
              },
              step);
 }
 
 const char* name_of(const PrepareStep& step) {
-  static constexpr const char* names[] = {"threshold",    "labels",   "largest-component", "crop",
-                                          "pad",          "resample", "signed-distance",   "gaussian",
-                                          "close-border", "subsample"};
+  static constexpr const char* names[] = {
+      "threshold",       "labels",   "largest-component", "crop",      "pad", "resample",
+      "signed-distance", "gaussian", "close-border",      "subsample", "cut"};
   static_assert(std::size(names) == std::variant_size_v<PrepareStep>);
   return names[step.index()];
 }
@@ -72,6 +73,9 @@ std::string describe(const PrepareStep& step) {
                                  : fmt::format("{}: outermost {} layers to at {} {}", name, s.layers, side, s.value);
           },
           [&](const Subsample& s) { return fmt::format("{} by {}", name, s.factor); },
+          [&](const Cut& s) {
+            return fmt::format("{} {} nodes from node ({})", name, fmt::join(s.size, " × "), fmt::join(s.from, ", "));
+          },
       },
       step);
 }
