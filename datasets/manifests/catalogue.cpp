@@ -100,7 +100,7 @@ std::vector<DatasetInfo> list_datasets() {
       source = fmt::format("phantom, {} nodes along its longest axis{}", manifest.phantom->nodes,
                            parameters_text(phantom(manifest.phantom->name, manifest.phantom->parameters)));
     }
-    if (manifest.generated) source = fmt::format("generated: {}", to_string(manifest.generated->generator));
+    if (manifest.generated) source = fmt::format("generated, {}", to_string(manifest.generated->generator));
     list.push_back({name, family ? family->title : manifest.title, manifest.licence, source, manifest.acknowledgement,
                     family ? members_text(*family, name) : "", manifest.name});
   }

@@ -223,7 +223,7 @@ TEST_F(CatalogueOfFamilies, AFamilyIsOneLineOfTheList) {
     EXPECT_EQ(info.members, "wild-fields-001 … -120");
     EXPECT_EQ(info.first, "wild-fields-001");
     EXPECT_EQ(info.title, "Fields");
-    EXPECT_EQ(info.source, "generated: random-field");
+    EXPECT_EQ(info.source, "generated, random-field");
   }
   EXPECT_GE(lines, 2);
 }
