@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string_view>
 
 namespace isobench {
@@ -14,6 +15,11 @@ namespace isobench {
 struct TomlValue::Document {
   toml::table root;
   std::string name;
+};
+
+struct TomlValue::Changes {
+  std::map<std::string, TomlValue> values;         // of a table
+  std::optional<std::vector<TomlValue>> elements;  // of an array
 };
 
 namespace {
@@ -93,6 +99,11 @@ bool TomlValue::is_string() const { return as_node(node_).is_string(); }
 bool TomlValue::is_number() const { return as_node(node_).is_number(); }
 bool TomlValue::is_bool() const { return as_node(node_).is_boolean(); }
 
+const TomlValue::Changes& TomlValue::changes() const {
+  static const Changes none;
+  return changes_ ? *changes_ : none;
+}
+
 void TomlValue::fail(const std::string& expected) const {
   const std::string subject = name_.empty() ? "the document" : "'" + name_ + "'";
   throw UsageError(place(), subject + " must be " + with_article(expected) + ", not " + with_article(type_name()));
@@ -129,6 +140,7 @@ std::string TomlValue::as_string() const {
 std::vector<TomlValue> TomlValue::as_array() const {
   const auto* array = as_node(node_).as_array();
   if (array == nullptr) fail("array");
+  if (changes().elements) return *changes().elements;
   std::vector<TomlValue> elements;
   for (const toml::node& element : *array) elements.push_back(TomlValue(document_, &element, name_));
   return elements;
@@ -141,6 +153,9 @@ std::vector<std::string> TomlValue::keys() const {
   if (table == nullptr) fail("table");
   std::vector<std::string> names;
   for (const toml::key* key : keys_in_file_order(*table)) names.emplace_back(key->str());
+  for (const auto& [key, value] : changes().values) {
+    if (!table->contains(std::string_view(key))) names.push_back(key);
+  }
   return names;
 }
 
@@ -153,11 +168,16 @@ void TomlValue::allow_keys(const std::vector<std::string>& known, const std::str
     throw UsageError(to_place(key->source(), document_->name),
                      fmt::format("unknown key '{}' in {}{}", name, what, suggestion(name, known)));
   }
+  for (const auto& [name, value] : changes().values) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UsageError(value.place(), fmt::format("unknown key '{}' in {}{}", name, what, suggestion(name, known)));
+  }
 }
 
 std::optional<TomlValue> TomlValue::find(const std::string& key) const {
   const auto* table = as_node(node_).as_table();
   if (table == nullptr) fail("table");
+  if (const auto changed = changes().values.find(key); changed != changes().values.end()) return changed->second;
   const toml::node* node = table->get(std::string_view(key));
   if (node == nullptr) return std::nullopt;
   return TomlValue(document_, node, key);
@@ -170,6 +190,24 @@ TomlValue TomlValue::require(const std::string& key) const {
     throw UsageError(place(), "the key '" + key + "' is missing" + where);
   }
   return *value;
+}
+
+TomlValue TomlValue::with(const std::string& key, const TomlValue& value) const {
+  if (!is_table()) fail("table");
+  auto now = std::make_shared<Changes>(changes());
+  now->values.insert_or_assign(key, value).first->second.name_ = key;
+  TomlValue changed = *this;
+  changed.changes_ = std::move(now);
+  return changed;
+}
+
+TomlValue TomlValue::with_elements(std::vector<TomlValue> elements) const {
+  if (!is_array()) fail("array");
+  auto now = std::make_shared<Changes>();
+  now->elements = std::move(elements);
+  TomlValue changed = *this;
+  changed.changes_ = std::move(now);
+  return changed;
 }
 
 }  // namespace isobench

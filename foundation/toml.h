@@ -48,15 +48,25 @@ class TomlValue {
   /// Throws UsageError with the table's place if the key is missing.
   TomlValue require(const std::string& key) const;
 
+  // Copies that differ from the file. Every value keeps the place that it has in its own file.
+
+  /// A table like this one, in which `key` has this value.
+  TomlValue with(const std::string& key, const TomlValue& value) const;
+  /// An array like this one, with these elements.
+  TomlValue with_elements(std::vector<TomlValue> elements) const;
+
  private:
   struct Document;
+  struct Changes;
   TomlValue(std::shared_ptr<const Document> document, const void* node, std::string name)
       : document_(std::move(document)), node_(node), name_(std::move(name)) {}
   [[noreturn]] void fail(const std::string& expected) const;
+  const Changes& changes() const;
 
   std::shared_ptr<const Document> document_;
   const void* node_;  ///< a toml::node
   std::string name_;  ///< the key, for error messages; "" for the document itself
+  std::shared_ptr<const Changes> changes_;
 };
 
 }  // namespace isobench

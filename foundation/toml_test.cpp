@@ -167,5 +167,27 @@ TEST(Toml, AnIntegerThatNoDoubleIsExactlyIsStillANumber) {
   EXPECT_EQ(document.require("b").as_number(), -9223372036854775808.0);
 }
 
+TEST(Toml, ACopyMayHaveOtherValuesAndNamesTheirPlaces) {
+  const TomlValue original = experiment();
+  const TomlValue sampling = original.require("sampling");
+  const TomlValue other = TomlValue::parse_text("\n\nlist = [0.75, \"much\"]", "other.toml").require("list");
+  const TomlValue changed =
+      original.with("sampling", sampling.with("epsilon", other.as_array()[0]).with("floor", other.as_array()[1]));
+  EXPECT_EQ(changed.require("sampling").require("epsilon").as_number(), 0.75);
+  EXPECT_EQ(changed.require("sampling").require("delta").as_number(), 1.0);
+  EXPECT_EQ(original.require("sampling").require("epsilon").as_number(), 0.5);
+  EXPECT_EQ(changed.require("sampling").keys(), (std::vector<std::string>{"epsilon", "delta", "beyond", "floor"}));
+  EXPECT_NE(usage_error([&] {
+              changed.require("sampling").require("floor").as_number();
+            }).find("other.toml:3:15: 'floor' must be a number"),
+            std::string::npos);
+  EXPECT_NE(usage_error([&] {
+              changed.require("sampling").allow_keys({"epsilon", "delta", "beyond"}, "[sampling]");
+            }).find("other.toml:3:15: unknown key 'floor'"),
+            std::string::npos);
+  EXPECT_EQ(original.require("dataset").with_elements({other.as_array()[1]}).as_array()[0].as_string(), "much");
+  EXPECT_EQ(usage_error([&] { other.with("x", other); }).find("other.toml:3:8: 'list' must be a table"), 0U);
+}
+
 }  // namespace
 }  // namespace isobench

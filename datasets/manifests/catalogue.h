@@ -1,6 +1,7 @@
 // The named datasets. Each has a TOML manifest in datasets/catalogue/ or in the folder that ISOBENCH_CATALOGUE names,
 // which is searched first. In place of a name, the path of a user's own manifest may be given, which ends in ".toml";
-// its data lie beside it.
+// its data lie beside it. A manifest may also describe a family of datasets (family.h), whose members have names such
+// as "wild-fields-017".
 #pragma once
 
 #include <filesystem>
@@ -30,20 +31,32 @@ struct Dataset {
   std::optional<double> asked_isovalue;
   std::string checksum;  ///< hash of sources, preparation, isovalue and kernel; results are reused if it is the same
   std::vector<std::string> preparation;  ///< describe() of each step, for the record
-  std::string source;                    ///< where the data came from: a folder, the cache, a package or "phantom"
+  /// Where the data came from: a folder, the cache, a package, "phantom" or "generated".
+  std::string source;
 };
 
-/// A line of `isobench list datasets`.
+/// A line of `isobench list datasets`: a dataset, or a family of them.
 struct DatasetInfo {
-  std::string name;
+  std::string name;  ///< of the manifest
   std::string title;
   std::string licence;
   std::string source;
   std::string acknowledgement;  ///< the sentence that its owners ask for; "" if they ask for none
+  std::string members;          ///< "wild-fields-001 … -240"; "" if it is no family
+  std::string first;            ///< the name of the dataset, or of the family's first member
 };
 
 std::vector<DatasetInfo> list_datasets();
+/// The names of all datasets; those of a family's members in their order. Reads every manifest.
 std::vector<std::string> dataset_names();
+
+/// Whether a dataset is asked for by a pattern, with *, ? or [, instead of by its name.
+bool is_glob(const std::string& name);
+/// The names that a glob matches, by the rules of fnmatch(), in their order.
+std::vector<std::string> matching(const std::string& glob, const std::vector<std::string>& names);
+
+/// The family that a dataset is a member of; "" if it is of none. Throws as dataset_checksum() does.
+std::string dataset_family(const std::string& name);
 
 /// The dataset's checksum. Reads no data, except files for which a user's own manifest states no sha256. Throws
 /// UsageError with the nearest valid name for an unknown one.
@@ -77,7 +90,7 @@ struct FileSurface {
 Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor);
 
 /// Fetches a dataset's files into the cache, unless ISOBENCH_DATA or the cache has them. Returns their paths, none for
-/// a phantom.
+/// a phantom or a generated dataset.
 std::vector<std::filesystem::path> fetch_dataset(const std::string& name, Monitor& monitor);
 
 }  // namespace isobench

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/manifests/manifest_generated.h"
 #include "isobench/datasets/manifests/manifest_steps.h"
+#include "isobench/datasets/manifests/manifest_values.h"
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/names.h"
@@ -23,20 +25,6 @@ constexpr int preparation_revision = 2;
 std::string string_or(const TomlValue& table, const char* key, const std::string& otherwise = "") {
   const auto value = table.find(key);
   return value ? value->as_string() : otherwise;
-}
-
-/// The choice that a word names; the first choice if the key is absent.
-template <class Choice>
-Choice parse_choice(const TomlValue& table, const char* key, std::initializer_list<Choice> choices) {
-  const auto value = table.find(key);
-  if (!value) return *choices.begin();
-  const std::string word = value->as_string();
-  std::vector<std::string> words;
-  for (const Choice choice : choices) {
-    words.push_back(to_string(choice));
-    if (word == words.back()) return choice;
-  }
-  throw UsageError(value->place(), fmt::format("unknown {} '{}'{}", key, word, suggestion(word, words)));
 }
 
 /// A relative path. It must not lead out of its folder, must not look like an option to the programs that unpack
@@ -118,7 +106,7 @@ void parse_data(const TomlValue& table, Manifest& manifest) {
   table.allow_keys({"folder", "address", "package", "archive", "files", "raw"}, "[data]");
   if (const auto folder = table.find("folder"))
     manifest.folder = parse_relative(*folder);
-  else if (manifest.beside.empty())
+  else if (manifest.beside.empty() && manifest.folder.empty())
     manifest.folder = manifest.name;
   if (const auto package = table.find("package")) {
     manifest.package = parse_package(*package, table.find("archive"));
@@ -164,50 +152,104 @@ double parse_min_component(const TomlValue& value) {
   return least;
 }
 
+void name_manifest(const std::filesystem::path& path, const std::string& name, Manifest& manifest) {
+  manifest.name = name;
+  if (!name.ends_with(".toml")) return;
+  manifest.name = path.stem().string();
+  if (!is_plain_name(manifest.name)) {
+    throw UsageError(Place{path.string()},
+                     "the manifest's name becomes part of the names of folders; rename it to at most 100 printable "
+                     "characters, the first neither '.' nor '-'");
+  }
+  manifest.beside = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+/// The manifest of one data set: `root` itself, or that of the member of a family.
+TomlValue choose_member(const TomlValue& root, std::optional<int> member, Manifest& manifest) {
+  const std::optional<Family> family = parse_family(root, manifest.name);
+  manifest.title = root.require("title").as_string();
+  if (!family) return root;
+  if (!member) {
+    throw UsageError(root.place(), fmt::format("this is a family of data sets; give the name of one, {}, and put the "
+                                               "manifest into the folder that ISOBENCH_CATALOGUE names",
+                                               members_text(*family, manifest.name)));
+  }
+  manifest.family = family->name;
+  manifest.member = member;
+  manifest.title += fmt::format(" {}: {}", member_number(*family, *member), member_text(*family, *member));
+  if (manifest.beside.empty()) manifest.folder = manifest.name;  // members share their files
+  manifest.name += "-" + member_number(*family, *member);
+  return member_manifest(root, *family, *member);
+}
+
+void refuse_keys(const TomlValue& root, const char* what, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    if (const auto value = root.find(key))
+      throw UsageError(value->place(), fmt::format("{} has no '{}'; remove the key", what, key));
+  }
+}
+
+/// The manifest whose files this one takes: `of` in [data] names one in the same folder.
+std::optional<TomlValue> find_lender(const TomlValue& root, const std::filesystem::path& path, Manifest& manifest) {
+  const auto data = root.find("data");
+  const auto of = data ? data->find("of") : std::nullopt;
+  if (!of) return std::nullopt;
+  data->allow_keys({"of"}, "a [data] with the files of another manifest");
+  const std::filesystem::path lender = path.parent_path() / (parse_relative(*of).string() + ".toml");
+  if (!std::filesystem::is_regular_file(lender)) {
+    throw UsageError(of->place(),
+                     fmt::format("there is no manifest '{}'; name one that lies beside this one", lender.string()));
+  }
+  if (manifest.beside.empty()) manifest.folder = of->as_string();
+  return TomlValue::parse_file(lender);
+}
+
+/// Reads what a manifest has exactly one of. `lender` is the manifest that has the files, this one or another.
+void parse_origin(const TomlValue& root, const TomlValue& lender, Manifest& manifest) {
+  const auto data = root.find("data");
+  const auto phantom = root.find("phantom");
+  const auto generated = root.find("generated");
+  if (data.has_value() + phantom.has_value() + generated.has_value() != 1)
+    throw UsageError(root.place(), "a manifest needs exactly one of [data], [phantom] and [generated]");
+  if (phantom) {
+    refuse_keys(root, "a phantom", {"isovalue", "inside", "exact-isovalue", "prepare", "family"});
+    manifest.phantom = parse_phantom(*phantom);
+  } else if (generated) {
+    refuse_keys(root, "a generated volume", {"isovalue", "prepare"});
+    manifest.generated = parse_generated(*generated);
+    manifest.generated->seed += static_cast<std::uint64_t>(manifest.member.value_or(0));
+  } else {
+    manifest.isovalue = root.require("isovalue").as_number();
+    if (const auto steps = root.find("prepare"))
+      manifest.steps = parse_steps(*steps, {manifest.isovalue, manifest.inside});
+    parse_data(lender.require("data"), manifest);
+  }
+}
+
 }  // namespace
 
-Manifest read_manifest(const std::filesystem::path& path, const std::string& name) {
-  const TomlValue root = TomlValue::parse_file(path);
-  root.allow_keys({"title", "licence", "source", "acknowledgement", "isovalue", "inside", "kernel", "exact-isovalue",
-                   "min-component", "prepare", "data", "phantom"},
-                  "a dataset's manifest");
+Manifest read_manifest(const std::filesystem::path& path, const std::string& name, std::optional<int> member) {
   Manifest manifest;
-  manifest.name = name;
-  if (name.ends_with(".toml")) {
-    manifest.name = path.stem().string();
-    if (!is_plain_name(manifest.name)) {
-      throw UsageError(Place{path.string()},
-                       "the manifest's name becomes part of the names of folders; rename it to at most 100 printable "
-                       "characters, the first neither '.' nor '-'");
-    }
-    manifest.beside = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  }
-  manifest.title = root.require("title").as_string();
-  manifest.licence = string_or(root, "licence");
-  manifest.source = string_or(root, "source");
-  manifest.acknowledgement = string_or(root, "acknowledgement");
+  name_manifest(path, name, manifest);
+  const TomlValue file = TomlValue::parse_file(path);
+  file.allow_keys({"title", "licence", "source", "acknowledgement", "isovalue", "inside", "kernel", "exact-isovalue",
+                   "min-component", "prepare", "data", "phantom", "generated", "family"},
+                  "a dataset's manifest");
+  const TomlValue root = choose_member(file, member, manifest);
+  const TomlValue lender = find_lender(root, path, manifest).value_or(root);
+  manifest.licence = string_or(root, "licence", string_or(lender, "licence"));
+  manifest.source = string_or(root, "source", string_or(lender, "source"));
+  manifest.acknowledgement = string_or(root, "acknowledgement", string_or(lender, "acknowledgement"));
   manifest.kernel = parse_choice(root, "kernel", {Kernel::bspline, Kernel::interpolating_bspline, Kernel::catmull_rom});
   manifest.inside = parse_choice(root, "inside", {Inside::above, Inside::below});
   if (const auto exactly = root.find("exact-isovalue")) manifest.choices.exact_isovalue = exactly->as_bool();
   if (const auto least = root.find("min-component")) manifest.choices.min_component = parse_min_component(*least);
-  const auto data = root.find("data");
-  const auto phantom = root.find("phantom");
-  if (data.has_value() == phantom.has_value()) {
-    throw UsageError(root.place(), "a manifest needs either [data] or [phantom], and not both");
-  }
-  if (phantom) {
-    for (const char* key : {"isovalue", "inside", "exact-isovalue", "prepare"}) {
-      if (const auto value = root.find(key))
-        throw UsageError(value->place(), fmt::format("a phantom has no '{}'; remove the key", key));
-    }
-    manifest.phantom = parse_phantom(*phantom);
-    return manifest;
-  }
-  manifest.isovalue = root.require("isovalue").as_number();
-  if (const auto steps = root.find("prepare"))
-    manifest.steps = parse_steps(*steps, {manifest.isovalue, manifest.inside});
-  parse_data(*data, manifest);
+  parse_origin(root, lender, manifest);
   return manifest;
+}
+
+std::optional<Family> read_family(const std::filesystem::path& path) {
+  return parse_family(TomlValue::parse_file(path), path.stem().string());
 }
 
 std::string manifest_checksum(const Manifest& manifest, const std::vector<std::string>& file_sums) {
@@ -220,6 +262,10 @@ std::string manifest_checksum(const Manifest& manifest, const std::vector<std::s
     for (const PhantomParameter& parameter : shape.parameters) {
       text += fmt::format("{} {}\n", parameter.name, parameter.value);
     }
+    return sha256_of_text(text);
+  }
+  if (manifest.generated) {
+    text += fmt::format("generated {}\ninside {}\n", describe(*manifest.generated), to_string(manifest.inside));
     return sha256_of_text(text);
   }
   for (const std::string& sum : file_sums) text += fmt::format("file {}\n", sum);

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/generated/generated.h"
 #include "isobench/datasets/isosurface.h"
+#include "isobench/datasets/manifests/family.h"
 #include "isobench/datasets/manifests/surface_choices.h"
 #include "isobench/datasets/preparation/prepare.h"
 
@@ -45,6 +47,9 @@ struct Manifest {
   std::optional<ManifestPackage> package;
   std::optional<RawLayout> raw;
   std::optional<ManifestPhantom> phantom;
+  std::optional<GeneratedRequest> generated;
+  std::string family;         ///< that it is a member of; "" if it is of none
+  std::optional<int> member;  ///< its number in the family, from 1
   std::vector<PrepareStep> steps;
   double isovalue = 0.0;
   Inside inside = Inside::above;
@@ -52,9 +57,13 @@ struct Manifest {
   SurfaceChoices choices;
 };
 
-/// Reads a manifest. `name` is the dataset's name, or the manifest's own path. Throws UsageError with the place of what
-/// is wrong.
-Manifest read_manifest(const std::filesystem::path& path, const std::string& name);
+/// Reads a manifest. `name` is its own name, or its path where it is a user's own; `member` is for families, and counts
+/// from 1. Throws UsageError with the place of what is wrong, or for a family without the number of a member.
+Manifest read_manifest(const std::filesystem::path& path, const std::string& name,
+                       std::optional<int> member = std::nullopt);
+
+/// The family of a manifest of one; std::nullopt for a manifest of one data set.
+std::optional<Family> read_family(const std::filesystem::path& path);
 
 /// The SHA-256 of everything that determines the prepared dataset. `file_sums` are the files' own, in order.
 std::string manifest_checksum(const Manifest& manifest, const std::vector<std::string>& file_sums);

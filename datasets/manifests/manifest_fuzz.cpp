@@ -36,7 +36,9 @@ void check_prepared(const Volume& volume) {
 bool fuzz_manifest(std::string_view bytes) {
   return accepts([&] {
     const std::filesystem::path path = fuzz_file("manifest.toml", bytes);
-    const Manifest manifest = read_manifest(path, path.string());
+    const std::optional<Family> family = read_family(path);
+    const Manifest manifest =
+        read_manifest(path, path.string(), family ? std::optional(family->members) : std::nullopt);
     const std::vector<std::string> sums(manifest.files.size(), std::string(64, '0'));
     require(manifest_checksum(manifest, sums).size() == 64, "a manifest has a checksum");
     Monitor monitor;

@@ -42,6 +42,12 @@ PrepareStep parse_labels(const TomlValue& table) {
   return step;
 }
 
+PrepareStep parse_cut(const TomlValue& table) {
+  const TomlValue from = table.require("from");
+  if (from.as_array().size() != 3) throw UsageError(from.place(), "three numbers are expected, the first node to keep");
+  return Cut{parse_counts(from, 0), parse_counts(table.require("size"), 1)};
+}
+
 PrepareStep parse_close_border(const TomlValue& table, const ManifestSurface& surface) {
   for (const char* key : {"to", "value", "layers"}) {
     if (const auto old = table.find(key)) {
@@ -77,6 +83,7 @@ const std::map<std::string, StepParser>& step_parsers() {
        {{"spacing"},
         [](const TomlValue& t, const ManifestSurface&) { return Resample{parse_triple(t.require("spacing"))}; }}},
       {"signed-distance", {{}, [](const TomlValue&, const ManifestSurface&) { return SignedDistance{}; }}},
+      {"cut", {{"from", "size"}, [](const TomlValue& t, const ManifestSurface&) { return parse_cut(t); }}},
       {"gaussian", {{"sigma"}, [](const TomlValue& t, const ManifestSurface&) { return parse_gaussian(t); }}},
       {"close-border", {{"to", "value", "layers"}, parse_close_border}},
       {"subsample",
@@ -128,6 +135,15 @@ int parse_count(const TomlValue& value, int least, int most) {
     throw UsageError(value.place(), fmt::format("an integer of {} is expected, found {}", limit, count));
   }
   return static_cast<int>(count);
+}
+
+std::array<int, 3> parse_counts(const TomlValue& value, int least, int most) {
+  const std::vector<TomlValue> list = value.as_list();
+  if (list.size() != 1 && list.size() != 3) throw UsageError(value.place(), "one number or three are expected");
+  std::array<int, 3> counts{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    counts[axis] = parse_count(list[list.size() == 1 ? 0 : axis], least, most);
+  return counts;
 }
 
 }  // namespace isobench

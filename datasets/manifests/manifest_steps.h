@@ -1,6 +1,7 @@
 // The preparation steps of a manifest: prepare = [ { step = "pad", voxels = 4 }, … ].
 #pragma once
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -24,5 +25,8 @@ Eigen::Vector3d parse_triple(const TomlValue& value);
 
 /// An integer from `least` to `most`.
 int parse_count(const TomlValue& value, int least, int most = std::numeric_limits<int>::max());
+
+/// One integer for all axes, or three; each from `least` to `most`.
+std::array<int, 3> parse_counts(const TomlValue& value, int least, int most = std::numeric_limits<int>::max());
 
 }  // namespace isobench

@@ -98,6 +98,60 @@ TEST(Manifest, APhantomsOwnLengthsMayBeStated) {
   expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 64\ngap = 1\n", 5, "gap");
 }
 
+TEST(Manifest, AGeneratedVolumeHasTheNumbersOfItsGenerator) {
+  const std::string head = "title = \"T\"\n[generated]\nseed = 7\nsize = [24, 32, 48]\n";
+  const std::string mask = head + "generator = \"mask\"\nspacing = [1, 1, 7]\ncorrelation = 1.8\nquantile = 0.7\n";
+  const Manifest manifest = parse("inside = \"below\"\n" + mask);
+  ASSERT_TRUE(manifest.generated);
+  EXPECT_EQ(manifest.inside, Inside::below);
+  EXPECT_EQ(manifest.generated->generator, Generator::mask);
+  EXPECT_EQ(manifest.generated->size, (std::array<int, 3>{24, 32, 48}));
+  EXPECT_EQ(manifest.generated->spacing, Eigen::Vector3d(1.0, 1.0, 7.0));
+  EXPECT_EQ(manifest.generated->quantile, 0.7);
+  EXPECT_NE(manifest_checksum(parse(mask), {}), manifest_checksum(manifest, {}));
+  EXPECT_NE(manifest_checksum(parse("kernel = \"catmull-rom\"\n" + mask), {}), manifest_checksum(parse(mask), {}));
+  const Manifest islands = parse(head + "generator = \"islands\"\nislands = 30\nradii = [0.9, 8]\n");
+  EXPECT_EQ(islands.generated->radii, (std::array<double, 2>{0.9, 8.0}));
+  EXPECT_EQ(parse(head + "generator = \"foam\"\nbubbles = 9\nwall = 2.5\n").generated->bubbles, 9);
+}
+
+TEST(Manifest, AGeneratedVolumesMistakesHaveTheirPlace) {
+  const std::string head = "title = \"T\"\n[generated]\nsize = 32\n";
+  const std::string field = head + "generator = \"random-field\"\n";
+  expect_usage_error(head + "generator = \"mas\"\n", 4, "did you mean 'mask'?");
+  expect_usage_error(head, 2, "'generator' is missing");
+  expect_usage_error(field + "correlation = 2\n", 2, "'quantile' is missing");
+  expect_usage_error(field + "correlation = 0.1\nquantile = 0.5\n", 5, "from 0.5 to 50 voxels");
+  expect_usage_error(field + "correlation = 2\nquantile = 1\n", 6, "from 0.01 to 0.99");
+  expect_usage_error(field + "bubbles = 3\n", 5, "unknown key 'bubbles'");
+  expect_usage_error("title = \"T\"\n[generated]\nsize = 8\ngenerator = \"foam\"\nbubbles = 3\n", 3, "at least 16");
+  expect_usage_error(head + "generator = \"foam\"\nbubbles = 1\nwall = 2\n", 5, "at least 2");
+  expect_usage_error(head + "generator = \"islands\"\nislands = 3\nradii = [4, 2]\n", 6, "the smaller one first");
+  expect_usage_error("title = \"T\"\nisovalue = 1\n[generated]\nsize = 32\n", 2,
+                     "a generated volume has no 'isovalue'");
+  expect_usage_error(manifest_head + manifest_data + "[phantom]\nname = \"sphere\"\nnodes = 64\n", 1, "exactly one of");
+}
+
+TEST(Manifest, MayTakeTheFilesOfAnotherOne) {
+  const TestFolder folder;
+  folder.write("scan.toml", "licence = \"L\"\nsource = \"S\"\n" + manifest_head +
+                                "[data]\nfolder = \"f\"\nfiles = [ { name = \"a\" }, { name = \"b\" } ]\n");
+  const auto borrowing = [&](const std::string& data) {
+    const auto path = folder.write("block.toml", "source = \"own\"\ntitle = \"B\"\nisovalue = 7\n" + data);
+    return read_manifest(path, path.string());
+  };
+  const Manifest block = borrowing("[data]\nof = \"scan\"\n");
+  EXPECT_EQ(block.files.size(), 2U);
+  EXPECT_EQ(block.folder, "f");
+  EXPECT_EQ(block.isovalue, 7.0);
+  EXPECT_EQ(block.licence, "L");
+  EXPECT_EQ(block.source, "own");
+  for (const char* data : {"[data]\nof = \"scam\"\n", "[data]\nof = \"../scan\"\n",
+                           "[data]\nof = \"scan\"\nfiles = []\n", "[data]\nof = \"block\"\n"}) {
+    EXPECT_THROW(borrowing(data), UsageError) << data;
+  }
+}
+
 TEST(Manifest, RefusesFilesThatCouldDoHarm) {
   expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"../v.nrrd\" } ]\n", 4, "..");
   expect_usage_error(manifest_head + "[data]\nfiles = [ { name = \"/etc/v.nrrd\" } ]\n", 4, "relative");
@@ -144,6 +198,9 @@ TEST(Manifest, NumbersBeyondWhatCanBeDoneAreRefused) {
   expect_usage_error("title = \"T\"\n[phantom]\nname = \"sphere\"\nnodes = 2147483647\n", 4, "at most 2048");
   expect_usage_error(step("\"pad\", voxels = 3000000000"), 3, "at most 2147483647");
   expect_usage_error(step("\"pad\", voxels = 1, value = 1e39"), 3, "finite");
+  expect_usage_error(step("\"cut\", from = [0, 0], size = 8"), 3, "three numbers");
+  expect_usage_error(step("\"cut\", from = [0, 0, -1], size = 8"), 3, "at least 0");
+  expect_usage_error(step("\"cut\", from = [0, 0, 0], size = [8, 8]"), 3, "one number or three");
   expect_usage_error(step("\"gaussian\", sigma = 1e9"), 3, "at most 1000 voxels");
 }
 

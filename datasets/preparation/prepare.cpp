@@ -39,14 +39,15 @@ void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
                  },
                  [&](const CloseBorder& s) { close_border(volume, s, monitor); },
                  [&](const Subsample& s) { volume = subsample(floats(), s.factor); },
+                 [&](const Cut& s) { cut(volume, s); },
              },
              step);
 }
 
 const char* name_of(const PrepareStep& step) {
-  static constexpr const char* names[] = {"threshold",    "labels",   "largest-component", "crop",
-                                          "pad",          "resample", "signed-distance",   "gaussian",
-                                          "close-border", "subsample"};
+  static constexpr const char* names[] = {
+      "threshold",       "labels",   "largest-component", "crop",      "pad", "resample",
+      "signed-distance", "gaussian", "close-border",      "subsample", "cut"};
   static_assert(std::size(names) == std::variant_size_v<PrepareStep>);
   return names[step.index()];
 }
@@ -70,6 +71,9 @@ std::string describe(const PrepareStep& step) {
                                s.object_below ? "below" : "above", s.isovalue);
           },
           [&](const Subsample& s) { return fmt::format("{} by {}", name, s.factor); },
+          [&](const Cut& s) {
+            return fmt::format("{} {} nodes from node ({})", name, fmt::join(s.size, " × "), fmt::join(s.from, ", "));
+          },
       },
       step);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -62,8 +63,13 @@ struct CloseBorder {
 struct Subsample {
   int factor = 2;
 };
+/// Keeps the block of `size` nodes that begins at node `from`.
+struct Cut {
+  std::array<int, 3> from{0, 0, 0};  ///< the first node along i, j, k; they count from 0
+  std::array<int, 3> size{1, 1, 1};  ///< nodes
+};
 using PrepareStep = std::variant<Threshold, SelectLabels, LargestComponent, Crop, Pad, Resample, SignedDistance,
-                                 Gaussian, CloseBorder, Subsample>;
+                                 Gaussian, CloseBorder, Subsample, Cut>;
 
 /// One line for a log or a record, e.g. "gaussian sigma = (1.5, 1.5, 1.5) voxels".
 std::string describe(const PrepareStep& step);
@@ -71,7 +77,8 @@ std::string describe(const PrepareStep& step);
 /// Applies the steps in order; nodes keep their place in the world. Threshold and SelectLabels give bytes. Resample,
 /// SignedDistance, Gaussian and Subsample give floats. The other steps keep the type of the samples, unless this
 /// type cannot hold a value that they set: then it becomes RealOf the type. Throws DataError if a step leaves nothing
-/// (an empty crop, a threshold that no sample reaches) or cannot be done (a distance in a volume that is all inside).
+/// (an empty crop, a threshold that no sample reaches) or cannot be done (a distance in a volume that is all inside, a
+/// cut beyond the volume).
 /// Time: linear in the nodes for every step. Memory: at most the samples before and after one step. Resample,
 /// SignedDistance, Gaussian and Subsample are threaded and give the same bits with any number of threads.
 Volume prepare(Volume volume, const std::vector<PrepareStep>& steps, Monitor& monitor);

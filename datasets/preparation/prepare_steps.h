@@ -15,6 +15,7 @@ void select_labels(Volume& volume, const std::vector<std::int64_t>& labels);
 /// Unites runs of nodes along x, so that it costs little more than reading the volume once.
 void keep_largest_component(Volume& volume);
 void crop(Volume& volume, int margin);
+void cut(Volume& volume, const Cut& step);
 /// These two give RealOf the samples' type if that type cannot hold the value.
 void pad(Volume& volume, int voxels, double value);
 void close_border(Volume& volume, const CloseBorder& step, Monitor& monitor);

@@ -294,8 +294,9 @@ TEST(Prepare, StopsWhereTheMonitorIsCancelled) {
 
 TEST(Prepare, DescribesEveryStepInALine) {
   const std::vector<PrepareStep> steps = {
-      Threshold{0.5},      SelectLabels{{1, 3}}, LargestComponent{},        Crop{8},       Pad{2, -1.5},
-      Resample{{1, 1, 1}}, SignedDistance{},     Gaussian{{0.8, 0.8, 0.5}}, CloseBorder{}, Subsample{3}};
+      Threshold{0.5}, SelectLabels{{1, 3}}, LargestComponent{},       Crop{8},
+      Pad{2, -1.5},   Resample{{1, 1, 1}},  SignedDistance{},         Gaussian{{0.8, 0.8, 0.5}},
+      CloseBorder{},  Subsample{3},         Cut{{1, 2, 3}, {4, 5, 6}}};
   std::vector<std::string> lines;
   for (const PrepareStep& step : steps) {
     lines.push_back(describe(step));

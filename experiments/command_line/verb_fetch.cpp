@@ -6,7 +6,10 @@
 namespace isobench {
 
 int fetch_verb(std::vector<std::string> datasets, const CommonArguments& common) {
-  if (datasets.empty()) datasets = dataset_names();
+  if (datasets.empty()) {
+    // The members of a family have their files in common.
+    for (const DatasetInfo& dataset : list_datasets()) datasets.push_back(dataset.first);
+  }
   Console console(common.verbosity);
   ConsoleSink sink(console);
   Monitor monitor(&sink);

@@ -24,7 +24,8 @@ Rows dataset_rows() {
   Rows rows;
   for (const DatasetInfo& dataset : list_datasets()) {
     const std::string licence = dataset.licence.empty() ? "" : "; licence: " + dataset.licence;
-    rows.push_back({dataset.name, fmt::format("{}; source: {}{}", dataset.title, dataset.source, licence)});
+    rows.push_back({dataset.members.empty() ? dataset.name : dataset.members,
+                    fmt::format("{}; source: {}{}", dataset.title, dataset.source, licence)});
   }
   return rows;
 }

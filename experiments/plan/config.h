@@ -42,9 +42,12 @@ struct Override {
 /// [[method]]: a method and its parameters. Several values of a parameter make a grid.
 struct MethodEntry {
   std::string name;
-  std::string label;  ///< tells apart several entries of one method; the name by default
+  std::string label;                  ///< tells apart several entries of one method; the name by default
+  std::vector<std::string> datasets;  ///< it runs on these alone; empty: on all of the experiment
   std::map<std::string, std::vector<ParameterValue>> parameters;
   Place place;
+
+  bool runs_on(const std::string& dataset) const;
 };
 
 /// [[vary]]: one value changed at a time, as an ablation needs it. Without variations an experiment has its base runs;
@@ -105,7 +108,7 @@ enum class ConfigVariant {
 /// Reads and checks a config. Every mistake is a UsageError with file, line and column: unknown keys, methods, datasets
 /// and parameters (with the nearest valid name), numbers that are not finite and positive, no kind of sizing or
 /// several, empty lists, labels used twice, overrides and variations that change no run, a match to no entry or to
-/// several.
+/// several, a glob that matches no dataset. Globs are replaced by the names that they match.
 Config read_config(const std::filesystem::path& path, ConfigVariant variant = ConfigVariant::full);
 
 /// Sets a parameter, "key=value", in every method entry that has it, and so replaces the config's values. Throws

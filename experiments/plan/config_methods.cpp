@@ -9,10 +9,10 @@ namespace isobench {
 
 namespace {
 
-MethodEntry read_method(const TomlValue& table) {
+MethodEntry read_method(const TomlValue& table, const std::vector<std::string>& datasets) {
   const TomlValue name = table.require("name");
   const Method& found = method(name.as_string(), name.place());
-  std::vector<std::string> keys = {"name", "label"};
+  std::vector<std::string> keys = {"name", "label", "dataset"};
   for (const ParameterSpec& spec : found.parameters) keys.push_back(spec.name);
   table.allow_keys(keys, "[[method]] " + found.name);
 
@@ -25,6 +25,7 @@ MethodEntry read_method(const TomlValue& table) {
     entry.place = label->place();
     if (entry.label.empty()) throw UsageError(label->place(), "label is empty; remove it, or give it a text");
   }
+  if (const auto list = table.find("dataset")) entry.datasets = read_own_datasets(*list, datasets);
   for (const ParameterSpec& spec : found.parameters) {
     const std::optional<TomlValue> value = table.find(spec.name);
     if (!value) continue;
@@ -43,10 +44,14 @@ MethodEntry read_method(const TomlValue& table) {
 
 }  // namespace
 
-std::vector<MethodEntry> read_methods(const TomlValue& document) {
+bool MethodEntry::runs_on(const std::string& dataset) const {
+  return datasets.empty() || std::find(datasets.begin(), datasets.end(), dataset) != datasets.end();
+}
+
+std::vector<MethodEntry> read_methods(const TomlValue& document, const std::vector<std::string>& datasets) {
   std::vector<MethodEntry> entries;
   for (const TomlValue& table : nonempty_list(document.require("method"), "method")) {
-    MethodEntry entry = read_method(table);
+    MethodEntry entry = read_method(table, datasets);
     for (const MethodEntry& other : entries) {
       if (other.label == entry.label) {
         throw UsageError(entry.place,

@@ -8,16 +8,13 @@ namespace isobench {
 
 namespace {
 
-// The names that an override gives under a key, each one of `known`.
-std::vector<std::string> read_targets(const TomlValue& table, const std::string& key,
-                                      const std::vector<std::string>& known) {
+// The methods that an override is about, each one of `known`.
+std::vector<std::string> read_method_targets(const TomlValue& list, const std::vector<std::string>& known) {
   std::vector<std::string> names;
-  const std::optional<TomlValue> value = table.find(key);
-  if (!value) return names;
-  for (const TomlValue& element : nonempty_list(*value, key)) {
+  for (const TomlValue& element : nonempty_list(list, "method")) {
     names.push_back(element.as_string());
     if (std::find(known.begin(), known.end(), names.back()) == known.end()) {
-      throw UsageError(element.place(), fmt::format("this experiment has no {} '{}'{}", key, names.back(),
+      throw UsageError(element.place(), fmt::format("this experiment has no method '{}'{}", names.back(),
                                                     suggestion(names.back(), known)));
     }
   }
@@ -28,8 +25,8 @@ Override read_override(const TomlValue& table, const std::vector<std::string>& d
                        const std::vector<std::string>& methods) {
   table.allow_keys({"dataset", "method", "sampling", "limits", "artefacts"}, "[[override]]");
   Override change;
-  change.datasets = read_targets(table, "dataset", datasets);
-  change.methods = read_targets(table, "method", methods);
+  if (const auto list = table.find("dataset")) change.datasets = read_own_datasets(*list, datasets);
+  if (const auto list = table.find("method")) change.methods = read_method_targets(*list, methods);
   if (change.datasets.empty() && change.methods.empty()) {
     throw UsageError(table.place(), "an [[override]] needs dataset or method, to select the runs that it changes");
   }
@@ -64,18 +61,30 @@ void read_overrides(Config& config, const TomlValue& document, const std::vector
   }
 }
 
+namespace {
+
+// Keeps the datasets that the experiment has. Returns false if a list that named some has none left: an empty list
+// would mean all.
+bool keep_known_datasets(const Config& config, std::vector<std::string>& datasets) {
+  if (datasets.empty()) return true;
+  std::erase_if(datasets, [&config](const std::string& name) {
+    return std::find(config.datasets.begin(), config.datasets.end(), name) == config.datasets.end();
+  });
+  return !datasets.empty();
+}
+
+}  // namespace
+
 void remove_unused_changes(Config& config) {
+  std::erase_if(config.methods, [&config](MethodEntry& entry) { return !keep_known_datasets(config, entry.datasets); });
   std::erase_if(config.overrides, [&config](Override& change) {
-    const bool all_datasets = change.datasets.empty();
     const bool all_methods = change.methods.empty();
-    std::erase_if(change.datasets, [&config](const std::string& name) {
-      return std::find(config.datasets.begin(), config.datasets.end(), name) == config.datasets.end();
-    });
+    const bool has_datasets = keep_known_datasets(config, change.datasets);
     std::erase_if(change.methods, [&config](const std::string& name) {
       return std::none_of(config.methods.begin(), config.methods.end(),
                           [&name](const MethodEntry& entry) { return entry.name == name || entry.label == name; });
     });
-    return (!all_datasets && change.datasets.empty()) || (!all_methods && change.methods.empty());
+    return !has_datasets || (!all_methods && change.methods.empty());
   });
   std::erase_if(config.variations, [&config](const Variation& variation) {
     return std::none_of(config.methods.begin(), config.methods.end(),

@@ -22,6 +22,14 @@ ParameterValue parameter_value(const TomlValue& value);
 /// A text of one printable line, as titles and labels are: they stand in tables, on pages and on terminals.
 std::string printable_line(const TomlValue& value, const std::string& what, std::size_t longest);
 
+// --- dataset (config_datasets.cpp)
+
+/// The datasets that a list names, each once, all of them known. A glob stands for the names that it matches; what a
+/// name or a glob before it has given already is not repeated. A name that is listed twice is an error.
+std::vector<std::string> read_datasets(const TomlValue& list);
+/// The same, of an experiment's own datasets, for a table that is about some of them.
+std::vector<std::string> read_own_datasets(const TomlValue& list, const std::vector<std::string>& datasets);
+
 // --- [sampling] (config_sampling.cpp)
 
 const std::vector<std::string>& sampling_keys();
@@ -32,8 +40,8 @@ Sampling read_sampling(const TomlValue& table);
 
 // --- [[method]], match and match_to (config_methods.cpp)
 
-/// The [[method]] tables of a document or of an [[also]].
-std::vector<MethodEntry> read_methods(const TomlValue& table);
+/// The [[method]] tables of a document or of an [[also]], which has these datasets.
+std::vector<MethodEntry> read_methods(const TomlValue& table, const std::vector<std::string>& datasets);
 /// match and match_to of a document that has one of them. The entry to match to is named by its label, or by its method
 /// where that has only one entry.
 Match read_match(const TomlValue& document, const std::vector<MethodEntry>& methods);
@@ -46,8 +54,8 @@ Limits read_limits(const TomlValue& table);
 /// Adds the [[override]] tables of a document to a config whose methods and sampling are read. `datasets` are the names
 /// that an override may change.
 void read_overrides(Config& config, const TomlValue& document, const std::vector<std::string>& datasets);
-/// Removes the overrides and variations of datasets and methods that [quick] left out: read_config() would refuse them
-/// in the config that a results folder keeps.
+/// Removes what is about datasets and methods that [quick] left out: overrides, variations, and methods that run on
+/// none of its datasets. read_config() would refuse them in the config that a results folder keeps.
 void remove_unused_changes(Config& config);
 
 // --- [[vary]] (config_variations.cpp)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "isobench/datasets/manifests/catalogue.h"
 #include "isobench/experiments/plan/config.h"
 #include "isobench/experiments/plan/config_readers.h"
 #include "isobench/foundation/names.h"
@@ -11,19 +10,6 @@
 namespace isobench {
 
 namespace {
-
-std::vector<std::string> read_datasets(const TomlValue& value) {
-  std::vector<std::string> names;
-  for (const TomlValue& element : nonempty_list(value, "dataset")) {
-    const std::string name = element.as_string();
-    dataset_checksum(name, element.place());  // throws where there is no such dataset
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      throw UsageError(element.place(), "dataset '" + name + "' is listed twice");
-    }
-    names.push_back(name);
-  }
-  return names;
-}
 
 std::vector<std::uint64_t> read_seeds(const TomlValue& value) {
   std::vector<std::uint64_t> seeds;
@@ -44,8 +30,19 @@ Aside read_aside(const TomlValue& table) {
   if (const auto seeds = table.find("seed")) aside.seeds = read_seeds(*seeds);
   aside.sampling = read_sampling(table.require("sampling"));
   check_kind(aside.sampling);
-  aside.methods = read_methods(table);
+  aside.methods = read_methods(table, aside.datasets);
   return aside;
+}
+
+/// The datasets that a table of the document may be about: those of the experiment, and those of its [quick].
+std::vector<std::string> all_datasets(const TomlValue& document, std::vector<std::string> datasets) {
+  const auto quick = document.find("quick");
+  const auto list = quick ? quick->find("dataset") : std::nullopt;
+  if (!list) return datasets;
+  for (const std::string& name : read_datasets(*list)) {
+    if (std::find(datasets.begin(), datasets.end(), name) == datasets.end()) datasets.push_back(name);
+  }
+  return datasets;
 }
 
 void apply_quick(Config& config, const TomlValue& quick) {
@@ -59,6 +56,21 @@ void apply_quick(Config& config, const TomlValue& quick) {
   if (const auto sampling = quick.find("sampling")) {
     config.sampling = merged(config.sampling, read_sampling(*sampling));
     check_kind(config.sampling);
+  }
+}
+
+/// Removes what is about other datasets than the config's, and refuses what is then without a method.
+void keep_what_runs(Config& config, const Place& place) {
+  remove_unused_changes(config);
+  if (config.methods.empty()) {
+    throw UsageError(place, "no method runs on any of these datasets; add a dataset that a [[method]] names");
+  }
+  if (!config.match) return;
+  const auto is_meant = [&config](const MethodEntry& entry) { return entry.label == config.match->to; };
+  if (std::none_of(config.methods.begin(), config.methods.end(), is_meant)) {
+    throw UsageError(place, fmt::format("'{}' runs on none of these datasets, but match_to names it; add one of its "
+                                        "datasets",
+                                        config.match->to));
   }
 }
 
@@ -111,7 +123,8 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   if (const auto least = document.find("min_component")) config.min_component = positive(*least, "min_component");
   config.sampling = read_sampling(document.require("sampling"));
   check_kind(config.sampling);
-  config.methods = read_methods(document);
+  const std::vector<std::string> datasets = all_datasets(document, config.datasets);
+  config.methods = read_methods(document, datasets);
   if (document.find("match") || document.find("match_to")) config.match = read_match(document, config.methods);
   if (const auto also = document.find("also")) {
     for (const TomlValue& table : also->as_list()) config.also.push_back(read_aside(table));
@@ -122,24 +135,25 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   }
   // [quick] is read even where it is not asked for, so that a mistake in it is found.
   Config quick = config;
-  std::vector<std::string> datasets = config.datasets;
   const std::optional<TomlValue> table = document.find("quick");
   if (table) {
     table->allow_keys({"dataset", "seed", "repeats", "sampling", "method"}, "[quick]");
     apply_quick(quick, *table);
     if (!document.find("timing")) quick.timing = quick.repeats > 1;
-    datasets.insert(datasets.end(), quick.datasets.begin(), quick.datasets.end());
   }
   read_overrides(config, document, datasets);
   config.variations = read_variations(document, config);
-  if (variant != ConfigVariant::quick) return config;
+  if (variant != ConfigVariant::quick) {
+    keep_what_runs(config, document.require("dataset").place());
+    return config;
+  }
   if (!table)
     throw UsageError(Place{path.string()},
                      "--quick needs a [quick] table, but this config has none; add one, or leave out --quick");
   quick.name += "-quick";
   quick.overrides = config.overrides;
   quick.variations = config.variations;
-  remove_unused_changes(quick);
+  keep_what_runs(quick, table->place());
   return quick;
 }
 

@@ -34,6 +34,23 @@ std::string toml_list(const std::vector<Element>& values) {
   return "[" + text + "]";
 }
 
+// A thousand names stay readable: as many to a line as have room.
+std::string toml_names(const std::vector<std::string>& names) {
+  constexpr std::size_t width = 100;
+  const std::string short_text = toml_list(names);
+  if (short_text.size() <= width) return short_text;
+  std::string text = "[";
+  std::string line;
+  for (const std::string& name : names) {
+    if (line.size() + name.size() > width || line.empty()) {
+      text += line + "\n ";
+      line.clear();
+    }
+    line += " " + toml(name) + ",";
+  }
+  return text + line + "\n]";
+}
+
 std::vector<std::string> sampling_lines(const Sampling& sampling) {
   std::vector<std::string> lines;
   const auto add = [&lines](const char* key, const std::vector<double>& values) {
@@ -69,7 +86,7 @@ std::string inline_table(const std::string& key, const std::vector<std::string>&
 
 std::string override_block(const Override& change) {
   std::vector<std::string> lines;
-  if (!change.datasets.empty()) lines.push_back("dataset = " + toml_list(change.datasets));
+  if (!change.datasets.empty()) lines.push_back("dataset = " + toml_names(change.datasets));
   if (!change.methods.empty()) lines.push_back("method = " + toml_list(change.methods));
   const std::vector<std::string> sampling = sampling_lines(change.sampling);
   const std::vector<std::string> limits = limit_lines(change.limits);
@@ -88,12 +105,13 @@ std::string vary_block(const Variation& variation) {
 std::string method_block(const MethodEntry& entry, const std::string& header = "[[method]]") {
   std::vector<std::string> lines = {"name = " + toml(entry.name)};
   if (entry.label != entry.name) lines.push_back("label = " + toml(entry.label));
+  if (!entry.datasets.empty()) lines.push_back("dataset = " + toml_names(entry.datasets));
   for (const auto& [name, values] : entry.parameters) lines.push_back(name + " = " + toml_list(values));
   return block(header, lines);
 }
 
 std::string aside_block(const Aside& aside) {
-  std::string text = block("[[also]]", {"dataset = " + toml_list(aside.datasets), "seed = " + toml_list(aside.seeds),
+  std::string text = block("[[also]]", {"dataset = " + toml_names(aside.datasets), "seed = " + toml_list(aside.seeds),
                                         inline_table("sampling", sampling_lines(aside.sampling))});
   for (const MethodEntry& entry : aside.methods) text += method_block(entry, "[[also.method]]");
   return text;
@@ -103,7 +121,7 @@ std::string aside_block(const Aside& aside) {
 
 std::string to_toml(const Config& config, const std::string& published) {
   std::string text = "title = " + toml(config.title) + "\n";
-  text += "dataset = " + toml_list(config.datasets) + "\n";
+  text += "dataset = " + toml_names(config.datasets) + "\n";
   text += "seed = " + toml_list(config.seeds) + "\n";
   if (config.repeats > 1) text += fmt::format("repeats = {}\n", config.repeats);
   // Needed only if it is not the default, which depends on the repeats.

@@ -159,14 +159,26 @@ void add_seeds(const Config& config, RunRequest request, std::vector<RunRequest>
   }
 }
 
-std::vector<RunRequest> runs_of(const Config& config, const std::string& dataset, const MethodEntry& entry,
+// What is looked up once for all runs of a dataset.
+struct PlannedDataset {
+  std::string name;
+  std::string checksum;
+  std::string family;
+};
+
+PlannedDataset look_up(const std::string& dataset) {
+  return {dataset, dataset_checksum(dataset), dataset_family(dataset)};
+}
+
+std::vector<RunRequest> runs_of(const Config& config, const PlannedDataset& dataset, const MethodEntry& entry,
                                 const Change& change) {
   const Method& found = method(entry.name, entry.place);
-  const auto [sampling, limits, artefacts] = resolve(config, dataset, entry, change);
+  const auto [sampling, limits, artefacts] = resolve(config, dataset.name, entry, change);
   check_number(number_of_runs(config, entry, sampling));
   RunRequest request;
-  request.dataset = dataset;
-  request.dataset_checksum = dataset_checksum(dataset);
+  request.dataset = dataset.name;
+  request.dataset_checksum = dataset.checksum;
+  request.family = dataset.family;
   request.method = found.name;
   request.method_revision = found.revision;
   request.metrics_revision = metrics_revision;
@@ -198,7 +210,7 @@ const RunRequest* same_row(const std::vector<RunRequest>& candidates, const RunR
 }
 
 // Sets match_to of each run, except of those that the others are matched to.
-void match_rows(const Config& config, const std::string& dataset, const MethodEntry& entry, const Change& change,
+void match_rows(const Config& config, const PlannedDataset& dataset, const MethodEntry& entry, const Change& change,
                 std::vector<RunRequest>& runs) {
   if (!config.match) return;
   const MethodEntry& reference =
@@ -208,6 +220,12 @@ void match_rows(const Config& config, const std::string& dataset, const MethodEn
   // runs are matched to the base.
   const bool of_method = change.of("method");
   if (&reference == &entry && !of_method) return;
+  if (!reference.runs_on(dataset.name)) {
+    throw UsageError(config.match->place,
+                     fmt::format("'{}' on {} cannot be matched: '{}' does not run there; let it run on all datasets "
+                                 "that others run on",
+                                 entry.label, dataset.name, config.match->to));
+  }
   const std::vector<RunRequest> candidates = runs_of(config, dataset, reference, of_method ? Change{} : change);
   for (RunRequest& request : runs) {
     const RunRequest* other = same_row(candidates, request);
@@ -215,7 +233,7 @@ void match_rows(const Config& config, const std::string& dataset, const MethodEn
       throw UsageError(config.match->place,
                        fmt::format("'{}' on {} at {} cannot be matched: '{}' has no run at the same sizing there; give "
                                    "both the same [[override]]",
-                                   request.label, dataset, sizing_text(request.sizing), config.match->to));
+                                   request.label, dataset.name, sizing_text(request.sizing), config.match->to));
     }
     request.match_to = other->run;
     request.run = run_name(request);
@@ -251,8 +269,10 @@ void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector
   own.sampling = aside.sampling;
   own.limits = config.limits;
   own.min_component = config.min_component;
-  for (const std::string& dataset : aside.datasets) {
+  for (const std::string& name : aside.datasets) {
+    const PlannedDataset dataset = look_up(name);
     for (const MethodEntry& entry : aside.methods) {
+      if (!entry.runs_on(name)) continue;
       std::vector<RunRequest> runs = runs_of(own, dataset, entry, Change{});
       for (RunRequest& request : runs) request.aside = true;
       add_base(runs, seen, plan);
@@ -266,8 +286,10 @@ void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector
 std::vector<RunRequest> make_plan(const Config& config) {
   std::vector<RunRequest> plan;
   Seen seen;
-  for (const std::string& dataset : config.datasets) {
+  for (const std::string& name : config.datasets) {
+    const PlannedDataset dataset = look_up(name);
     for (const MethodEntry& entry : config.methods) {
+      if (!entry.runs_on(name)) continue;
       for (const Change& change : changes(config, entry)) {
         std::vector<RunRequest> runs = runs_of(config, dataset, entry, change);
         match_rows(config, dataset, entry, change, runs);
