@@ -36,6 +36,10 @@ Table best_table(const RunGrid& runs);
 Table methods_table(const RunGrid& runs);
 
 /// best_table() as sentences: "Largest angle: particles on 3, advancing-front on 1 of 4 data sets."
+/// With many data sets, only those count on which every method has a run. Empty for a single method.
 std::vector<std::string> best_sentences(const RunGrid& runs);
+
+/// The same in one line, method by method: "Best on the most data sets – particles: smallest angle (3 of 4), …; …".
+std::string best_line(const RunGrid& runs);
 
 }  // namespace isobench
