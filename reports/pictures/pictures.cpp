@@ -211,8 +211,10 @@ std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std
     groups.push_back(dataset_group(runs, dataset, most_meshes - meshes, left_out));
     meshes += groups.back().runs.size();
   }
+  // With many data sets the page has much else to load.
+  const std::size_t of_all = has_many_datasets(runs) ? most_triangles_of_all / 4 : most_triangles_of_all;
   const std::size_t triangles =
-      std::clamp(most_triangles_of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
+      std::clamp(of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
   for (const SizingGrid& grid : sizing_grids(results)) {
     if (grid.epsilons.size() * grid.deltas.size() <= most_of_a_dataset) groups.push_back(grid_group(grid));
   }

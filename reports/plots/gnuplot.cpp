@@ -140,8 +140,8 @@ std::string row_script(const Plot& plot) {
     names += fmt::format("{}{} {}", n == 0 ? "" : ", ", quoted(plot.series[n].name), row_number(plot, n));
     for (std::string& part : row_parts(plot, n)) parts.push_back(std::move(part));
   }
-  return fmt::format("unset key\nset yrange [0.4:{}]\nset ytics ({})\nset offsets graph 0.02, graph 0.02, 0, 0\n",
-                     static_cast<double>(plot.series.size()) + 0.6, names) +
+  return fmt::format("unset key\nset yrange [0.4:{}]\nset ytics ({})\n", static_cast<double>(plot.series.size()) + 0.6,
+                     names) +
          row_blocks(plot) + fmt::format("plot {}\n", fmt::join(parts, ", \\\n     "));
 }
 
@@ -150,7 +150,7 @@ std::string ranges(const Plot& plot) {
   if (plot.x_low < plot.x_high) text += fmt::format("set xrange [{}:{}]\n", plot.x_low, plot.x_high);
   if (plot.y_low < plot.y_high) text += fmt::format("set yrange [{}:{}]\n", plot.y_low, plot.y_high);
   if (!plot.log_y) text += has_categories(plot) || plot.marks == Marks::steps ? "set yrange [0:*]\n" : "";
-  if (plot.log_x) text += "set logscale x\n";
+  if (plot.log_x) text += "set logscale x\nset format x '%g'\n";
   if (plot.log_y) text += "set logscale y\n";
   if (plot.marks == Marks::points || plot.marks == Marks::joined) {
     text += "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";

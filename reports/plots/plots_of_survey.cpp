@@ -236,6 +236,7 @@ std::vector<Plot> survey_plots(const RunGrid& runs) {
     plots.push_back(rank_plot(runs, *criterion));
   }
   plots.push_back(pareto_plot(runs, worst));
+  plots.back().y_high = 1.0;
   plots.push_back(pareto_plot(runs, quality_criterion("radius-ratio-avg")));
   std::erase_if(plots, [](const Plot& plot) { return plot.empty(); });
   return plots;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -36,9 +35,10 @@ TableCell share(const Runs& runs, Test&& passes) {
 }
 
 // The declaration of the figure says which value is better, and the unit.
-Question ask(const std::string& name, const std::string& figure, int digits = 3, bool timed = false) {
+Question ask(const std::string& name, const std::string& brief, const std::string& figure, int digits = 3,
+             bool timed = false) {
   const FigureDeclaration& declared = figure_declaration(figure);
-  return {name, figure, declared.better == Better::larger, declared.unit, digits, timed};
+  return {name, brief, figure, declared.better == Better::larger, declared.unit, digits, timed};
 }
 
 // On how many data sets each method is best; in a tie, all are.
@@ -65,12 +65,6 @@ std::vector<Wins> wins_of_all(const RunGrid& runs) {
   return all;
 }
 
-// Only the first letter of a question is a capital.
-std::string lower_case(std::string name) {
-  name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-  return name;
-}
-
 TableCell figure_cell(double value, const Print& print) {
   TableCell cell;
   cell.figures.push_back({{value, value, value}, print});
@@ -81,15 +75,15 @@ TableCell figure_cell(double value, const Print& print) {
 
 const std::vector<Question>& questions() {
   static const std::vector<Question> all = {
-      ask("Worst triangle (radius ratio)", "radius_ratio_min"),
-      ask("Average triangle (radius ratio)", "radius_ratio_avg"),
-      ask("Smallest angle", "angle_min"),
-      ask("Largest angle", "angle_max"),
-      ask("Vertices of valence 6", "valence_6_percent"),
-      ask("Edges longer than h0", "edge_over_h0_exceed_percent", 2),
-      ask("Mean distance to the surface", "distance_mean"),
-      ask("Time for sizing and method", "seconds_total", 3, true),
-      ask("Peak memory", "peak_memory_mb"),
+      ask("Worst triangle (radius ratio)", "worst triangle", "radius_ratio_min"),
+      ask("Average triangle (radius ratio)", "average triangle", "radius_ratio_avg"),
+      ask("Smallest angle", "smallest angle", "angle_min"),
+      ask("Largest angle", "largest angle", "angle_max"),
+      ask("Vertices of valence 6", "valence 6", "valence_6_percent"),
+      ask("Edges longer than h0", "edges within h0", "edge_over_h0_exceed_percent", 2),
+      ask("Mean distance to the surface", "distance to the surface", "distance_mean"),
+      ask("Time for sizing and method", "time", "seconds_total", 3, true),
+      ask("Peak memory", "memory", "peak_memory_mb"),
   };
   return all;
 }
@@ -228,10 +222,10 @@ std::string best_line(const RunGrid& runs) {
                      })->second;
     const auto winners = std::count_if(won.by_method.begin(), won.by_method.end(),
                                        [most](const auto& method) { return method.second == most; });
-    if (winners == static_cast<std::ptrdiff_t>(runs.variants.size())) continue;  // that all are equal is no news
-    const std::string count = won.asked == 1 ? "" : fmt::format(" ({} of {})", most, won.asked);
+    if (winners > 2) continue;  // that many are equal is no news
+    const std::string count = most == won.asked ? "" : fmt::format(" ({} of {})", most, won.asked);
     for (const auto& [method, times] : won.by_method) {
-      if (times == most) best_at[method].push_back(lower_case(won.question->name) + count);
+      if (times == most) best_at[method].push_back(won.question->brief + count);
     }
   }
   std::vector<std::string> parts;

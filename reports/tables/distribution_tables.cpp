@@ -22,10 +22,12 @@ TableCell number_of(double value, const Print& print) {
   return cell;
 }
 
-// "0.853 (islands-17)".
-TableCell worst_cell(const WorstCase& worst, const Print& print) {
+// "0.853 (islands-17)". Where not even the worst has a defect there is no data set to name.
+TableCell worst_cell(const WorstCase& worst, const Criterion& criterion) {
   if (worst.run == nullptr) return "–";
-  return with_mark(number_of(worst.value, print), " (" + worst.run->request.dataset + ")");
+  TableCell cell = number_of(worst.value, criterion.print);
+  if (!criterion.larger && worst.value == 0.0) return cell;
+  return with_mark(std::move(cell), " (" + worst.run->request.dataset + ")");
 }
 
 // The criteria whose worst case says most about a family.
@@ -128,8 +130,7 @@ Table worst_table(const RunGrid& runs) {
   for (const std::vector<Criterion>* list : {&quality_criteria(), &defect_criteria()}) {
     for (const Criterion& criterion : *list) {
       TableRow row = {name_with_unit(criterion)};
-      for (const Variant* method : methods)
-        row.push_back(worst_cell(worst_case(runs, *method, criterion), criterion.print));
+      for (const Variant* method : methods) row.push_back(worst_cell(worst_case(runs, *method, criterion), criterion));
       table.rows.push_back(std::move(row));
     }
   }
@@ -145,15 +146,15 @@ Table family_table(const RunGrid& runs) {
   table.title = "Families and their worst cases";
   table.header = {"Family", "Method", "Data sets", "Sound"};
   for (const Criterion* criterion : telling_criteria()) table.header.push_back(name_with_unit(*criterion));
-  for (const std::string& family : families_of(runs)) {
-    for (const Variant* method : surveyed(runs)) {
+  for (const Variant* method : surveyed(runs)) {
+    for (const std::string& family : families_of(runs)) {
       const Tally counts = tally(runs, *method, family);
       if (counts.datasets == 0) continue;
       TableRow row = {
           family, method->name, number_of(static_cast<double>(counts.datasets), as_number()),
           counts.sound.asked == 0 ? "not measured" : fmt::format("{} of {}", counts.sound.passed, counts.sound.asked)};
       for (const Criterion* criterion : telling_criteria())
-        row.push_back(worst_cell(worst_case(runs, *method, *criterion, family), criterion->print));
+        row.push_back(worst_cell(worst_case(runs, *method, *criterion, family), *criterion));
       table.rows.push_back(std::move(row));
     }
   }

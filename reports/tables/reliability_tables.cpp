@@ -65,8 +65,8 @@ Table reliability_table(const RunGrid& runs) {
 
 Table family_reliability_table(const RunGrid& runs) {
   Table table = counted_table("Reliability by family", {"Family", "Method"});
-  for (const std::string& family : families_of(runs)) {
-    for (const Variant* method : surveyed(runs)) {
+  for (const Variant* method : surveyed(runs)) {
+    for (const std::string& family : families_of(runs)) {
       const Tally counts = tally(runs, *method, family);
       if (counts.datasets == 0) continue;
       TableRow row = {family, method->name};

@@ -135,10 +135,8 @@ TEST(SurveyTables, TheBestLineNamesEachMethodOnce) {
   // Nobody is best where nobody else ran.
   for (std::size_t n = 60; n < 90; ++n) results.records.push_back(sample_survey::fast(n));
   const std::string line = best_line(arrange_runs(results));
-  EXPECT_TRUE(line.starts_with("Best on the most data sets – good: worst triangle (radius ratio) (60 of 60), "))
-      << line;
-  EXPECT_NE(line.find("fast: "), std::string::npos);
-  EXPECT_NE(line.find("time for sizing and method (60 of 60)"), std::string::npos) << line;
+  EXPECT_TRUE(line.starts_with("Best on the most data sets – good: worst triangle, ")) << line;
+  EXPECT_LT(line.find("fast: "), line.find(", time")) << line;
   EXPECT_EQ(count_of(line, "good: "), 1U);
 }
 
