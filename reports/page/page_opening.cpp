@@ -59,7 +59,7 @@ std::string mesh_words(const RunRecord& run) {
 // The data set to open with or, if there is no picture of it because others came first, the first that has one.
 std::string pictured_dataset(const RunGrid& runs, const Exhibits& exhibits) {
   std::string first;
-  const std::string wanted = opening_dataset(runs);
+  std::string wanted = opening_dataset(runs);
   for (const Picture& picture : exhibits.pictures) {
     if (picture.grid || picture.shot != shots::closer) continue;
     if (picture.dataset == wanted) return wanted;
