@@ -42,10 +42,10 @@ std::string plots_html(const Exhibits& exhibits, bool many, const std::filesyste
          text + "</div></section>\n";
 }
 
-std::string pictures_html(const Exhibits& exhibits, const std::filesystem::path& folder) {
+std::string pictures_html(const std::vector<Picture>& pictures, const std::filesystem::path& folder) {
   std::string text;
   std::string group;
-  for (const Picture& picture : exhibits.pictures) {
+  for (const Picture& picture : pictures) {
     if (picture.group != group) {
       text += (group.empty() ? "" : "</div>\n") + ("<h3>" + html_escaped(picture.group)) +
               "</h3>\n<div class=\"figures pictures\">\n";
@@ -87,18 +87,22 @@ std::string body_of_few(const Results& results, Exhibits& exhibits, const std::f
   std::string body = summary_html(results) + gaps_html(results) + claims_html(results);
   body += plates_html(results, exhibits, folder);
   return body + turnable_html(exhibits, folder) + tables_html(results) + plots_html(exhibits, false, folder) +
-         pictures_html(exhibits, folder) + provenance_html(results) + citations_html(results);
+         pictures_html(exhibits.pictures, folder) + provenance_html(results) + citations_html(results);
 }
 
 // The overview first; what concerns single data sets is folded.
 std::string body_of_many(const Results& results, Exhibits& exhibits, const std::filesystem::path& folder) {
   const std::string plates = plates_html(results, exhibits, folder);
+  // Close-ups and worst triangles stand above; shown twice they would double the page.
+  std::vector<Picture> others = exhibits.pictures;
+  std::erase_if(others, [](const Picture& picture) {
+    return !picture.grid && (picture.shot == shots::closer || picture.shot == shots::worst);
+  });
   return summary_html(results) + plots_html(exhibits, true, folder) + tables_html(results) +
          worst_html(results, exhibits, folder) + claims_html(results) + plates +
          folded(gaps_html(results), "Runs without a mesh") + turnable_html(exhibits, folder) +
-         folded(pictures_html(exhibits, folder), "All pictures") +
-         folded(details_html(results), "Tables of data sets") + folded(provenance_html(results), "Runs") +
-         folded(citations_html(results), "Program and data");
+         folded(pictures_html(others, folder), "Whole meshes") + folded(details_html(results), "Tables of data sets") +
+         folded(provenance_html(results), "Runs") + folded(citations_html(results), "Program and data");
 }
 
 // Links to the sections that exist.

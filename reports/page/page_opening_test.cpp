@@ -1,4 +1,5 @@
 // What the page opens with, and the page of many data sets.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "isobench/foundation/testing/test_folder.h"
@@ -27,7 +28,7 @@ Exhibits pictures_of(const TestFolder& folder, const std::string& dataset, const
   Exhibits exhibits;
   for (const std::string& method : methods) {
     for (const char* shot : {shots::closer, shots::worst}) {
-      const std::string name = "pictures/" + dataset + "-" + method + "-" + shot;
+      const std::string name = fmt::format("pictures/{}-{}-{}", dataset, method, shot);
       folder.write(name + ".jpg", name);
       exhibits.pictures.push_back({name + ".png", name + ".jpg", dataset, shot, false, dataset, method, ""});
     }
