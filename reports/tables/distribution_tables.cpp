@@ -218,9 +218,9 @@ Table dataset_table(const RunGrid& runs) {
 }
 
 std::vector<Table> survey_tables(const RunGrid& runs) {
-  std::vector<Table> tables = {
-      reliability_table(runs),  family_table(runs), outlier_table(runs),           worst_table(runs),
-      distribution_table(runs), rank_table(runs),   family_reliability_table(runs)};
+  std::vector<Table> tables = {reliability_table(runs),       outlier_table(runs), worst_table(runs),
+                               distribution_table(runs),      rank_table(runs),    family_table(runs),
+                               family_reliability_table(runs)};
   std::erase_if(tables, [](const Table& table) { return table.empty(); });
   return tables;
 }
