@@ -11,6 +11,7 @@
 #include "isobench/reports/plots/gnuplot.h"
 #include "isobench/reports/plots/plots.h"
 #include "isobench/reports/runs/results.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/tables/tables.h"
 #include "isobench/reports/tables_document.h"
 
@@ -46,10 +47,11 @@ Exhibits exhibits_of(const Results& results, const std::filesystem::path& folder
 Report write_report(const std::filesystem::path& folder, ReportParts parts) {
   const Results results = load_results(folder);
   Report report;
-  report.tables = markdown_tables(results);
+  const std::string tables = markdown_tables(results);
+  report.tables = has_many_datasets(arrange_runs(results)) ? markdown_tables(results, DatasetTables::left_out) : tables;
   write_text(folder / "results.csv", [&results](std::ostream& file) { write_results_csv(file, results.records); });
   write_text(folder / "results.columns.md", columns_text());
-  write_text(folder / "tables.md", report.tables);
+  write_text(folder / "tables.md", tables);
   write_text(folder / "tables.tex", latex_tables(results));
   report.written = {"tables.md", "tables.tex", "results.csv"};
   if (parts == ReportParts::tables) return report;

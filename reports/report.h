@@ -14,7 +14,7 @@ enum class ReportParts {
 };
 
 struct Report {
-  std::string tables;                ///< the text of tables.md
+  std::string tables;                ///< the text of tables.md; with many data sets without the tables of single ones
   std::vector<std::string> written;  ///< names of the main files in the folder; the most useful one last
   std::vector<std::string> missing;  ///< one sentence for each thing that could not be made, with the remedy
 };

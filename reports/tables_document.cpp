@@ -92,14 +92,21 @@ std::string broken_promises(const Results& results) {
 
 }  // namespace
 
-std::string markdown_tables(const Results& results) {
+std::string markdown_tables(const Results& results, DatasetTables details) {
   std::string text = "# " + results.title + "\n\n" + provenance(results) + gaps(results) + broken_promises(results);
   if (!seed_table(arrange_runs(results)).empty()) {
     text +=
         "In a row with several seeds or repeats, a figure is the median of the finished runs, followed by their range "
         "(smallest–largest). Meshes that are not closed manifolds count only if all of the row are so.\n\n";
   }
-  for (const Table& table : all_tables(results)) text += markdown(table) + "\n";
+  std::size_t left_out = 0;
+  for (const Table& table : all_tables(results)) {
+    if (table.detail && details == DatasetTables::left_out)
+      ++left_out;
+    else
+      text += markdown(table) + "\n";
+  }
+  if (left_out > 0) text += fmt::format("{} of single data sets: see tables.md.\n\n", plural(left_out, "table"));
   text += claims_section(results);
   if (results.published) {
     text += heading("The published figures") + results.published->source + ".\n\n" + results.published->note + "\n\n";

@@ -8,6 +8,7 @@
 
 #include "isobench/reports/csv/results_csv.h"
 #include "isobench/reports/record/figure_values.h"
+#include "isobench/reports/runs/checks.h"
 #include "isobench/reports/text/markdown.h"
 
 namespace isobench {
@@ -44,6 +45,14 @@ std::vector<CsvColumn> circumstance_columns() {
           {"match_reason", "", "Why the number of vertices is not within 2 % of match_vertices; else empty."},
           {"host", "", "The machine of the run. Seconds from different machines must not be compared."},
           {"exclusive", "", "true if a scheduler gave the whole machine to the run, else false."}};
+}
+
+// What statistics over many data sets need besides the figures.
+std::vector<CsvColumn> survey_columns() {
+  std::vector<CsvColumn> columns = {
+      {"family", "", "The family of data sets that this one is a member of; empty if it is of none."}};
+  for (const Check& check : checks()) columns.push_back({check.column, "", check.definition + " true or false."});
+  return columns;
 }
 
 void add(const std::vector<CsvColumn>& more, std::vector<CsvColumn>& columns) {
@@ -83,6 +92,7 @@ const std::vector<CsvColumn>& csv_columns() {
     for (const CostDeclaration& cost : cost_declarations()) all.push_back(column_of(cost.figure));
     add(circumstance_columns(), all);
     add(figure_columns(cost_columns, std::numeric_limits<int>::max()), all);
+    add(survey_columns(), all);
     check_names(all);
     return all;
   }();

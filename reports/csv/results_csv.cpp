@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "isobench/reports/record/figure_values.h"
+#include "isobench/reports/runs/checks.h"
 
 namespace isobench {
 
@@ -15,6 +16,8 @@ namespace {
 // Shortest text that reads back to the same double; whole numbers have no point.
 std::string text(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 std::string text(const std::optional<double>& value) { return value ? text(*value) : ""; }
+
+std::string text(const std::optional<bool>& answer) { return answer ? (*answer ? "true" : "false") : ""; }
 
 std::string csv_field(const std::string& field) {
   if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
@@ -55,6 +58,8 @@ std::map<std::string, std::string> fields(const RunRecord& record) {
                                             {"exclusive", record.environment.exclusive ? "true" : "false"},
                                             {"status", to_string(record.status)},
                                             {"reason", record.reason}};
+  row["family"] = request.family;
+  for (const Check& check : checks()) row[check.column] = text(passes(check, record));
   if (record.measurement) {
     for (std::size_t n = 0; n < declared_figures().size(); ++n) {
       const FigureDeclaration& figure = declared_figures()[n];

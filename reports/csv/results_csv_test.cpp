@@ -51,7 +51,8 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
             "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume,"
-            "components_lost,components_joined,components_different");
+            "components_lost,components_joined,components_different,family,closed_manifold,right_topology,"
+            "no_self_intersections,angles_35_90,angles_30_100,valences_5_7,no_edge_above_h0");
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {
@@ -87,6 +88,7 @@ TEST(ResultsCsv, IsUnroundedAndQuoted) {
 TEST(ResultsCsv, EveryFigureOfAFinishedRunIsThere) {
   RunRecord record = sample_record("skull", "particles");
   record.request.match_to = "skull-cvt";
+  record.request.family = "bones";
   record.match = MatchRecord{1010.0, 0.75, 2, ""};
   const std::map<std::string, std::string> values = row(record);
   EXPECT_EQ(values.at("match_scale"), "0.75");
@@ -105,6 +107,23 @@ TEST(ResultsCsv, AFigureThatWasNotMeasuredIsAnEmptyCell) {
   EXPECT_EQ(values.at("edge_over_h0_exceed_count"), "");
   EXPECT_EQ(values.at("volume"), "");
   EXPECT_EQ(values.at("area"), "0");
+  EXPECT_EQ(values.at("no_edge_above_h0"), "");
+}
+
+TEST(ResultsCsv, SaysWhichChecksAMeshPasses) {
+  RunRecord record = sample_record("skull", "particles");
+  record.request.family = "bones";
+  record.measurement->set("angle_min", 33.0);
+  record.measurement->set("angle_max", 95.0);
+  const std::map<std::string, std::string> values = row(record);
+  EXPECT_EQ(values.at("family"), "bones");
+  EXPECT_EQ(values.at("closed_manifold"), "true");
+  EXPECT_EQ(values.at("right_topology"), "false");  // χ is −14 in place of −12
+  EXPECT_EQ(values.at("angles_35_90"), "false");
+  EXPECT_EQ(values.at("angles_30_100"), "true");
+  record.measurement.reset();
+  record.status = Status::timeout;
+  EXPECT_EQ(row(record).at("closed_manifold"), "");
 }
 
 TEST(ResultsCsv, NoTwoColumnsHaveOneName) {

@@ -74,6 +74,15 @@ void add_figures(const Runs& all, const std::string& dataset, const std::string&
   }
 }
 
+Runs runs_over(const RunGrid& runs, const Variant& variant) {
+  Runs all;
+  for (const std::string& dataset : runs.datasets) {
+    const Runs& here = find_runs(variant, dataset);
+    all.insert(all.end(), here.begin(), here.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string macro_name(const std::vector<std::string>& parts) {
@@ -95,6 +104,11 @@ std::string macro_name(const std::vector<std::string>& parts) {
 std::string latex_macros(const Results& results) {
   const RunGrid runs = arrange_runs(results);
   Macros macros;
+  if (has_many_datasets(runs)) {
+    for (const Variant& variant : runs.variants)
+      add_figures(finished(runs_over(runs, variant)), "all", variant.name, macros);
+    return macros.text();
+  }
   for (const std::string& dataset : runs.datasets) {
     for (const Variant& variant : runs.variants) {
       add_figures(finished(find_runs(variant, dataset)), dataset, variant.name, macros);
@@ -110,8 +124,15 @@ std::string latex_tables(const Results& results) {
       "% " + title +
       "\n"
       "% Read this with \\input in a document that loads booktabs and siunitx. No value is rounded: siunitx rounds in\n"
-      "% the tables, and \\num[round-mode=figures,round-precision=3]{\\isobench...} in the text.\n\n"
-      "% A macro for each figure, named by data set, method and figure, e.g. \\isobenchSkullParticlesRadiusRatioMin.\n";
+      "% the tables, and \\num[round-mode=figures,round-precision=3]{\\isobench...} in the text.\n\n";
+  text +=
+      has_many_datasets(arrange_runs(results))
+          ? "% There are too many data sets for a macro of each figure of each. The macros are medians over all of "
+            "them,\n"
+            "% with ...Smallest and ...Largest, e.g. \\isobenchAllParticlesRadiusRatioMin. Tables with rows of single\n"
+            "% data sets are left out: see tables.md, and results.csv for all figures.\n"
+          : "% A macro for each figure, named by data set, method and figure, e.g. "
+            "\\isobenchSkullParticlesRadiusRatioMin.\n";
   text += latex_macros(results);
   if (results.published) {
     text += "\n% Where the published figures come from.\n\\newcommand{\\isobenchPublishedSource}{" +
@@ -120,7 +141,7 @@ std::string latex_tables(const Results& results) {
   std::vector<Table> tables = all_tables(results);
   tables.push_back(claims_table(results));
   for (const Table& table : tables) {
-    if (!table.empty()) text += fmt::format("\n{}", latex(table));
+    if (!table.empty() && !table.detail) text += fmt::format("\n{}", latex(table));
   }
   return text;
 }

@@ -27,6 +27,12 @@ std::string page(const Results& results, Exhibits exhibits, const std::filesyste
 
 // Sections of the page; "" if a section would be empty.
 
+/// What a reader looks at first: who is best at what, in one line, and the same close-up of each method side by side.
+std::string opening_html(const Results& results, const Exhibits& exhibits, const std::filesystem::path& folder);
+/// Pictures of the worst triangle of each method over many data sets; "" if there are few.
+std::string worst_html(const Results& results, const Exhibits& exhibits, const std::filesystem::path& folder);
+/// The tables with rows of single data sets, folded and cut short; "" if there are few data sets.
+std::string details_html(const Results& results);
 /// What was compared, what was matched, which claims held, and which methods are best.
 std::string summary_html(const Results& results);
 /// Runs that are not done, failed, were skipped or have a damaged record.
@@ -44,6 +50,9 @@ std::string citations_html(const Results& results);
 
 /// Whether a plot has a file.
 bool drawn(const Exhibits& exhibits, const Plot& plot);
+/// A <figure> element with the preview of a picture. `caption` is HTML.
+std::string figure_html(const Picture& picture, const std::string& description, const std::string& caption,
+                        const std::filesystem::path& folder);
 /// A <figure> element.
 std::string plot_html(const Plot& plot, const std::filesystem::path& folder);
 std::string picture_html(const Picture& picture, const std::filesystem::path& folder);

@@ -14,6 +14,7 @@
 #include "isobench/reports/pictures/test_pixels.h"
 #include "isobench/reports/record/sample_records.h"
 #include "isobench/reports/report.h"
+#include "isobench/reports/survey/sample_survey.h"
 #include "isobench/reports/tables/tables.h"
 
 namespace isobench {
@@ -52,6 +53,29 @@ std::filesystem::path made_report(const TestFolder& folder) {
   write_text(folder.path() / "plan.json", plan_to_json(plan));
   write_text(folder.path() / "published.toml", published_figures);
   EXPECT_EQ(write_report(folder.path()).missing, std::vector<std::string>{});
+  return folder.path() / "report.html";
+}
+
+// A finished experiment with many data sets, all of them tori.
+std::filesystem::path made_report_of_many(const TestFolder& folder) {
+  std::vector<RunRequest> plan;
+  for (RunRecord& record : sample_survey::results(30).records) {
+    const std::filesystem::path run = folder.path() / record.request.run;
+    std::filesystem::create_directories(run);
+    if (record.status == Status::ok) {
+      const TriangleMesh mesh = sample_meshes::torus(record.request.label == "fast" ? 12 : 24);
+      record.mesh_checksum = checksum(mesh);
+      record.measurement->set("triangles", mesh.triangles.size());
+      write_mesh(mesh, run / "mesh.vtp");
+    }
+    write_record(record, run / "run.json");
+    plan.push_back(record.request);
+  }
+  write_text(folder.path() / "plan.json", plan_to_json(plan));
+  const Report report = write_report(folder.path());
+  // That not all data sets have pictures is said, and nothing else is missing.
+  EXPECT_EQ(report.missing.size(), 1U);
+  EXPECT_NE(report.missing.front().find("of 30 data sets"), std::string::npos);
   return folder.path() / "report.html";
 }
 
@@ -167,6 +191,30 @@ TEST_F(PageInABrowser, ShowsAllSortsAndTurns) {
   sort_a_table_by_a_click();
   turn_a_mesh_by_a_drag();
   turn_a_copy_of_a_large_mesh_and_its_worst_place();
+}
+
+TEST_F(PageInABrowser, OfManyDataSetsShowsTheOverviewFirst) {
+  const TestFolder many;
+  browser_->open(made_report_of_many(many));
+  browser_->ask("for (const image of document.images) image.loading = 'eager';");
+  EXPECT_TRUE(browser_->eventually("return Array.from(document.images).every((image) => image.complete)"));
+  // The close-ups stand side by side at the top, then the plots and tables over all data sets.
+  EXPECT_EQ(browser_->ask("const tops = new Set(Array.from(document.querySelectorAll('#opening img'), (image) => "
+                          "image.getBoundingClientRect().top)); return tops.size"),
+            1);
+  EXPECT_EQ(browser_->ask("return document.querySelectorAll('#opening img').length"), 3);
+  EXPECT_GE(browser_->ask("return document.querySelectorAll('#plots img').length").get<int>(), 15);
+  EXPECT_EQ(browser_->ask("return document.querySelectorAll('#worst img').length"), 3);
+  const auto top = [this](const std::string& selector) {
+    return browser_->ask("return document.querySelector('" + selector + "').getBoundingClientRect().top").get<double>();
+  };
+  EXPECT_LT(top("#opening"), top("#summary"));
+  EXPECT_LT(top("#plots"), top("#tables"));
+  EXPECT_LT(top("#tables"), top("#details"));
+  // Rows of single data sets are folded until a click.
+  EXPECT_EQ(browser_->ask("return document.querySelector('#details table').checkVisibility()"), false);
+  browser_->click("#details summary");
+  EXPECT_EQ(browser_->ask("return document.querySelector('#details h3').checkVisibility()"), true);
 }
 
 TEST_F(PageInABrowser, ReadsWithoutScripts) {

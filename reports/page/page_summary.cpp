@@ -110,6 +110,13 @@ const char* badge(Verdict verdict) {
   return "<span class=\"badge open\">not testable</span>";
 }
 
+std::string citation_of(const DatasetInfo& info) {
+  std::string words = info.title + ". " + info.source + ".";
+  if (!info.licence.empty()) words += " Licence: " + info.licence + ".";
+  if (!info.acknowledgement.empty()) words += " " + info.acknowledgement;
+  return words;
+}
+
 std::string or_dash(const std::string& text) { return text.empty() ? "–" : html_escaped(text); }
 
 std::string findings_html(const ClaimResult& result) {
@@ -142,7 +149,10 @@ std::string summary_html(const Results& results) {
     for (const std::string& sentence : sentences) text += "<li>" + html_escaped(sentence) + "</li>\n";
     text += "</ul>\n";
   }
-  return text + html(methods_table(runs)) + html(best_table(runs)) + "</section>\n";
+  text += html(methods_table(runs));
+  // It has a column for each data set.
+  if (!has_many_datasets(runs)) text += html(best_table(runs));
+  return text + "</section>\n";
 }
 
 std::string gaps_html(const Results& results) {
@@ -213,18 +223,18 @@ std::string citations_html(const Results& results) {
   }
   if (results.published)
     text += "<dt>Published figures</dt>\n<dd>" + html_escaped(results.published->source) + "</dd>\n";
+  // Data sets with the same words share an entry; a thousand generated ones need no thousand entries.
+  std::vector<std::pair<std::string, std::vector<std::string>>> entries;
   for (const std::string& dataset : distinct(results, [](const RunRecord& r) { return r.request.dataset; })) {
-    text += "<dt>Data: " + html_escaped(dataset) + "</dt>\n";
     const auto info = known.find(dataset);
-    if (info == known.end()) {
-      text += "<dd>see the manifest of the data set</dd>\n";
-      continue;
-    }
-    std::string words = info->second.title + ". " + info->second.source + ".";
-    if (!info->second.licence.empty()) words += " Licence: " + info->second.licence + ".";
-    if (!info->second.acknowledgement.empty()) words += " " + info->second.acknowledgement;
-    text += "<dd>" + html_escaped(words) + "</dd>\n";
+    const std::string words = info == known.end() ? "see the manifest of the data set" : citation_of(info->second);
+    auto entry =
+        std::find_if(entries.begin(), entries.end(), [&words](const auto& each) { return each.first == words; });
+    if (entry == entries.end()) entry = entries.insert(entry, {words, {}});
+    entry->second.push_back(dataset);
   }
+  for (const auto& [words, datasets] : entries)
+    text += "<dt>Data: " + html_escaped(listed(datasets)) + "</dt>\n<dd>" + html_escaped(words) + "</dd>\n";
   return text + "</dl></section>\n";
 }
 

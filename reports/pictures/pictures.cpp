@@ -13,6 +13,7 @@
 #include "isobench/foundation/sha256.h"
 #include "isobench/reports/pictures/render.h"
 #include "isobench/reports/runs/run_grid.h"
+#include "isobench/reports/survey/survey.h"
 #include "isobench/reports/tables/sizing_grid.h"
 #include "isobench/reports/text/markdown.h"
 
@@ -48,6 +49,32 @@ PictureGroup dataset_group(const RunGrid& runs, const std::string& dataset, std:
         fmt::format("{}: only the first {} of {} meshes have pictures.", dataset, group.runs.size(), meshes));
   }
   return group;
+}
+
+// With many data sets pictures are made of the one that the page opens with, and of the worst mesh of each method.
+std::vector<PictureGroup> chosen_groups(const RunGrid& runs, std::vector<std::string>& left_out) {
+  constexpr std::size_t most_worst = 6;
+  std::vector<PictureGroup> groups;
+  const std::string opening = opening_dataset(runs);
+  if (!opening.empty()) groups.push_back(dataset_group(runs, opening, most_meshes, left_out));
+  std::size_t worst_meshes = 0;
+  for (const Variant* method : surveyed(runs)) {
+    const RunRecord* run = worst_case(runs, *method, quality_criterion("radius-ratio-min")).run;
+    if (run == nullptr || run->request.dataset == opening || ++worst_meshes > most_worst) continue;
+    const std::string& dataset = run->request.dataset;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&dataset](const PictureGroup& known) { return known.dataset == dataset; });
+    if (group == groups.end()) {
+      group = groups.emplace(group);
+      group->dataset = group->title = dataset;
+    }
+    add_run(*group, *run, method->name);
+  }
+  left_out.push_back(fmt::format(
+      "Pictures and meshes in 3D show {} of {} data sets: the one at the top of the page and those with the "
+      "worst triangle of a method.",
+      groups.size(), runs.datasets.size()));
+  return groups;
 }
 
 PictureGroup grid_group(const SizingGrid& grid) {
@@ -177,13 +204,17 @@ std::string PictureGroup::file(const RunRecord& run, const std::string& name, co
 std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out) {
   const RunGrid runs = arrange_runs(results);
   std::vector<PictureGroup> groups;
+  if (has_many_datasets(runs)) groups = chosen_groups(runs, left_out);
   std::size_t meshes = 0;
-  for (const std::string& dataset : runs.datasets) {
+  for (const PictureGroup& group : groups) meshes += group.runs.size();
+  for (const std::string& dataset : has_many_datasets(runs) ? std::vector<std::string>() : runs.datasets) {
     groups.push_back(dataset_group(runs, dataset, most_meshes - meshes, left_out));
     meshes += groups.back().runs.size();
   }
+  // With many data sets the page has much else to load.
+  const std::size_t of_all = has_many_datasets(runs) ? most_triangles_of_all / 4 : most_triangles_of_all;
   const std::size_t triangles =
-      std::clamp(most_triangles_of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
+      std::clamp(of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
   for (const SizingGrid& grid : sizing_grids(results)) {
     if (grid.epsilons.size() * grid.deltas.size() <= most_of_a_dataset) groups.push_back(grid_group(grid));
   }

@@ -30,8 +30,9 @@ struct PictureGroup {
   static constexpr const char* over_h = "edges-over-h";    ///< .txt: EdgesOverH::counts
 };
 
-/// All groups that are drawn; they point into `results`. Their number and size are limited; `left_out` gets one
-/// sentence for each data set whose meshes are not all drawn.
+/// All groups that are drawn; they point into `results`. With many data sets (many_datasets) these are the one that the
+/// page opens with and those with the worst triangle of a method. Their number and size are limited; `left_out` gets
+/// one sentence for each data set whose meshes are not all drawn.
 std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out);
 
 /// The shots that are drawn of a run. A run that kept its artefacts has more of them.

@@ -17,6 +17,8 @@
 #include "isobench/reports/pictures/drawing.h"
 #include "isobench/reports/pictures/test_pixels.h"
 #include "isobench/reports/record/sample_records.h"
+#include "isobench/reports/runs/run_grid.h"
+#include "isobench/reports/survey/sample_survey.h"
 
 namespace isobench {
 namespace {
@@ -164,6 +166,21 @@ Results stored(const std::filesystem::path& folder) {
   }
   write_plan(results, folder);
   return results;
+}
+
+TEST(Pictures, OfManyDataSetsAreThoseOfTheFirstAndOfTheWorst) {
+  Results results = sample_survey::results(60);
+  results.records[3 * 17].measurement->set("radius_ratio_min", 0.31);
+  std::vector<std::string> left_out;
+  const std::vector<PictureGroup> groups = picture_groups(results, left_out);
+  EXPECT_EQ(groups.front().dataset, opening_dataset(arrange_runs(results)));
+  EXPECT_EQ(groups.front().runs.size(), 3U);
+  ASSERT_GE(groups.size(), 2U);
+  EXPECT_LE(groups.size(), 4U);
+  EXPECT_EQ(groups[1].dataset, sample_survey::dataset(17));
+  EXPECT_EQ(groups[1].names, std::vector<std::string>{"good"});
+  ASSERT_EQ(left_out.size(), 1U);
+  EXPECT_NE(left_out[0].find("of 60 data sets"), std::string::npos);
 }
 
 TEST(DrawnPictures, OfARunAreThreeAndKeptWhileNothingChanges) {

@@ -49,9 +49,12 @@ void keep_readable(Plot& plot) {
 std::vector<Plot> all_plots(const Results& results, const std::vector<EdgesOverH>& over_h) {
   const RunGrid runs = arrange_runs(results);
   std::vector<Plot> plots;
+  const bool many = has_many_datasets(runs);
+  const std::vector<Plot> none;
   for (std::vector<Plot> kind :
-       {radius_ratio_plots(runs), edge_length_plots(runs), contraction_plots(over_h), angle_plots(runs),
-        valence_plots(runs), size_plots(runs), stage_plots(runs), sizing_plots(results), trace_plots(runs)}) {
+       {many ? survey_plots(runs) : none, radius_ratio_plots(runs), edge_length_plots(runs), contraction_plots(over_h),
+        angle_plots(runs), valence_plots(runs), size_plots(runs), many ? none : stage_plots(runs),
+        sizing_plots(results), many ? none : trace_plots(runs)}) {
     std::move(kind.begin(), kind.end(), std::back_inserter(plots));
   }
   make_file_names(plots);

@@ -73,25 +73,35 @@ double median_of(const Runs& runs, const Figure& figure) {
   return spread_of(std::move(values)).median;
 }
 
+// "Each point is a finished run." or what stands for runs that are too many.
+std::string points_sentence(bool medians, std::size_t stride) {
+  std::string text = medians ? "Each point is a median over seeds and repeats." : "Each point is a finished run.";
+  if (stride > 1)
+    text += fmt::format(" Of every {} data sets only the first is shown, so that points can be seen.", stride);
+  return text;
+}
+
 // One point for each finished run on any data set. If these are too many, one point for all seeds and repeats of a
-// method on a data set.
+// method on a data set. If these are too many, too, not all data sets are shown.
 Plot over_vertices(const RunGrid& runs, const std::string& name, const std::string& y_label, const Figure& y,
                    bool timed = false) {
   constexpr std::size_t most_points = 2000;
   const bool too_many = number_plotted(runs, timed) > most_points;
+  const std::size_t stride = has_many_datasets(runs) && too_many
+                                 ? (runs.variants.size() * runs.datasets.size() + most_points - 1) / most_points
+                                 : 1;
   Plot plot;
   plot.name = name + "-over-vertices";
   plot.title = y_label + " over the number of vertices, all data sets";
-  plot.caption = (too_many ? "Each point is a median over seeds and repeats." : "Each point is a finished run.") +
-                 (timed ? timing_note(runs) : "");
+  plot.caption = points_sentence(too_many, stride) + (timed ? timing_note(runs) : "");
   plot.x_label = "vertices";
   plot.y_label = y_label;
   plot.marks = Marks::points;
   plot.log_x = true;
   for (std::size_t n = 0; n < runs.variants.size(); ++n) {
     Series series{runs.variants[n].name, n, {}, {}};
-    for (const std::string& dataset : runs.datasets) {
-      const Runs group = plotted_runs(runs, runs.variants[n], dataset, timed);
+    for (std::size_t d = 0; d < runs.datasets.size(); d += stride) {
+      const Runs group = plotted_runs(runs, runs.variants[n], runs.datasets[d], timed);
       if (too_many && !group.empty()) {
         series.x.push_back(median_of(group, vertices_of));
         series.y.push_back(median_of(group, y));

@@ -11,11 +11,34 @@ namespace isobench {
 
 namespace {
 
+// What one plot shows: a data set or, if there are many, all of them together.
+struct PlottedData {
+  std::string name;
+  std::vector<std::string> datasets;
+};
+
+std::vector<PlottedData> plotted_data(const RunGrid& runs) {
+  if (has_many_datasets(runs)) return {{"all data sets", runs.datasets}};
+  std::vector<PlottedData> all;
+  for (const std::string& dataset : runs.datasets) all.push_back({dataset, {dataset}});
+  return all;
+}
+
+Runs counted_on(const Variant& variant, const PlottedData& data) {
+  Runs all;
+  for (const std::string& dataset : data.datasets) {
+    const Runs counted = counted_runs(find_runs(variant, dataset));
+    all.insert(all.end(), counted.begin(), counted.end());
+  }
+  return all;
+}
+
 // The sum of the runs' histograms, bin by bin. It has no bins if their numbers of bins differ.
 Histogram sum(const Runs& runs, const std::string& histogram) {
   Histogram all;
-  for (const RunRecord* run : counted_runs(runs)) {
+  for (const RunRecord* run : runs) {
     const Histogram& next = run->measurement->histogram(histogram);
+    if (next.counts.empty()) continue;  // not measured
     if (all.counts.empty()) {
       all = next;
       continue;
@@ -42,18 +65,18 @@ Series series_of(const Histogram& histogram, const std::string& name, std::size_
   return series;
 }
 
-// One plot for each dataset, with all methods in it. `shared` holds what the plots have in common.
+// One plot for each dataset, or one for many, with all methods in it. `shared` holds what the plots have in common.
 std::vector<Plot> histogram_plots(const RunGrid& runs, const Plot& shared, const std::string& histogram) {
   std::vector<Plot> plots;
-  for (const std::string& dataset : runs.datasets) {
+  for (const PlottedData& data : plotted_data(runs)) {
     Plot plot = shared;
     plot.kind = shared.name;
-    plot.name += "-" + dataset;
-    plot.title += ", " + dataset;
+    plot.name += "-" + data.name;
+    plot.title += ", " + data.name;
     plot.marks = Marks::steps;
     for (std::size_t n = 0; n < runs.variants.size(); ++n) {
       const Variant& variant = runs.variants[n];
-      Series series = series_of(sum(find_runs(variant, dataset), histogram), variant.name, n);
+      Series series = series_of(sum(counted_on(variant, data), histogram), variant.name, n);
       if (!series.x.empty()) plot.series.push_back(std::move(series));
     }
     if (!plot.empty()) plots.push_back(std::move(plot));
@@ -144,10 +167,10 @@ std::vector<Plot> valence_plots(const RunGrid& runs) {
   constexpr std::size_t lowest = 3;
   constexpr std::size_t highest = 10;
   std::vector<Plot> plots;
-  for (const std::string& dataset : runs.datasets) {
+  for (const PlottedData& data : plotted_data(runs)) {
     Plot plot;
-    plot.name = "valence-" + dataset;
-    plot.title = "Valences of the vertices, " + dataset;
+    plot.name = "valence-" + data.name;
+    plot.title = "Valences of the vertices, " + data.name;
     plot.caption = "The valence is the number of edges at a vertex. 6 is regular.";
     plot.x_label = "valence";
     plot.y_label = "% of the vertices";
@@ -158,7 +181,7 @@ std::vector<Plot> valence_plots(const RunGrid& runs) {
     for (std::size_t n = 0; n < runs.variants.size(); ++n) {
       Series series{runs.variants[n].name, n, {}, std::vector<double>(plot.categories.size(), 0.0)};
       std::size_t total = 0;
-      for (const RunRecord* run : counted_runs(find_runs(runs.variants[n], dataset))) {
+      for (const RunRecord* run : counted_on(runs.variants[n], data)) {
         const std::vector<std::uint32_t>& counts = run->measurement->histogram("valence").counts;
         for (std::size_t v = 0; v < counts.size(); ++v) {
           series.y[std::clamp(v, lowest, highest) - lowest] += static_cast<double>(counts[v]);

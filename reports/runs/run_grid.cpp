@@ -46,13 +46,12 @@ std::string sizing_name(const SizingRequest& sizing) {
 RunGrid arrange_runs(const Results& results) {
   const VariantNames name_of(results.records);
   RunGrid grid;
+  std::set<std::string> known;
   for (const RunRecord& record : results.records) {
     const RunRequest& request = record.request;
     if (request.aside) continue;
-    auto& datasets = grid.datasets;
-    if (std::find(datasets.begin(), datasets.end(), request.dataset) == datasets.end()) {
-      datasets.push_back(request.dataset);
-    }
+    if (known.insert(request.dataset).second) grid.datasets.push_back(request.dataset);
+    if (!request.family.empty()) grid.family_of[request.dataset] = request.family;
     const std::string name = name_of(request);
     auto variant = std::find_if(grid.variants.begin(), grid.variants.end(),
                                 [&name](const Variant& candidate) { return candidate.name == name; });
@@ -63,6 +62,36 @@ RunGrid arrange_runs(const Results& results) {
   }
   grid.timing = usual_timing(grid);
   return grid;
+}
+
+bool has_many_datasets(const RunGrid& runs) {
+  return std::any_of(runs.variants.begin(), runs.variants.end(),
+                     [](const Variant& variant) { return variant.runs.size() >= many_datasets; });
+}
+
+std::vector<std::string> families_of(const RunGrid& runs) {
+  std::vector<std::string> families;
+  std::set<std::string> known;
+  for (const std::string& dataset : runs.datasets) {
+    const auto family = runs.family_of.find(dataset);
+    if (family != runs.family_of.end() && known.insert(family->second).second) families.push_back(family->second);
+  }
+  return families;
+}
+
+std::string opening_dataset(const RunGrid& runs) {
+  std::string first;
+  std::ptrdiff_t most = 0;
+  for (const std::string& dataset : runs.datasets) {
+    const auto closed = std::count_if(runs.variants.begin(), runs.variants.end(), [&dataset](const Variant& variant) {
+      const RunRecord* run = find_run(variant, dataset);
+      return run != nullptr && run->status == Status::ok && is_closed_manifold(*run);
+    });
+    if (closed <= most) continue;
+    most = closed;
+    first = dataset;
+  }
+  return first;
 }
 
 const Runs& find_runs(const Variant& variant, const std::string& dataset) {

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <map>
 
-#include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/record/figure_values.h"
+#include "isobench/reports/runs/checks.h"
 #include "isobench/reports/runs/timing.h"
+#include "isobench/reports/survey/side_by_side.h"
 #include "isobench/reports/tables/table_parts.h"
 
 namespace isobench {
@@ -17,10 +18,12 @@ namespace {
 
 // For seconds, only runs that were timed alike count.
 double median_of(const RunGrid& arrangement, const Runs& runs, const Question& question) {
+  if (runs.empty()) return spread_of({}).median;
+  const FigureOfRun figure = figure_of(question.figure);
   std::vector<double> values;
   for (const RunRecord* run :
        question.timed ? runs_with_timing(counted_runs(runs), arrangement.timing) : counted_runs(runs))
-    values.push_back(figure_value(*run, question.figure));
+    values.push_back(figure(*run));
   return spread_of(std::move(values)).median;
 }
 
@@ -31,16 +34,35 @@ TableCell share(const Runs& runs, Test&& passes) {
   return fmt::format("{} of {}", count, runs.size());
 }
 
-bool right_topology(const RunRecord& run) {
-  const Measurement& m = *run.measurement;
-  return is_closed_manifold(m) && m.number("euler") == m.number("euler_reference") &&
-         m.number("components") == m.number("components_reference");
+// The declaration of the figure says which value is better, and the unit.
+Question ask(const std::string& name, const std::string& brief, const std::string& figure, int digits = 3,
+             bool timed = false) {
+  const FigureDeclaration& declared = figure_declaration(figure);
+  return {name, brief, figure, declared.better == Better::larger, declared.unit, digits, timed};
 }
 
-// The declaration of the figure says which value is better, and the unit.
-Question ask(const std::string& name, const std::string& figure, int digits = 3, bool timed = false) {
-  const FigureDeclaration& declared = figure_declaration(figure);
-  return {name, figure, declared.better == Better::larger, declared.unit, digits, timed};
+// On how many data sets each method is best; in a tie, all are.
+struct Wins {
+  const Question* question = nullptr;
+  std::map<std::string, int> by_method;
+  int asked = 0;  ///< data sets where anything was measured
+};
+
+// With many data sets, only those count that all methods share: nobody is best where nobody else ran.
+std::vector<Wins> wins_of_all(const RunGrid& runs) {
+  std::vector<Wins> all;
+  if (runs.variants.size() < 2) return all;
+  const std::vector<std::string> datasets = has_many_datasets(runs) ? shared_datasets(runs) : runs.datasets;
+  for (const Question& question : questions()) {
+    Wins wins{&question, {}, 0};
+    for (const std::string& dataset : datasets) {
+      const Best answer = best(question, runs, dataset);
+      if (!answer.names.empty()) ++wins.asked;
+      for (const std::string& name : answer.names) ++wins.by_method[name];
+    }
+    if (wins.asked > 0) all.push_back(std::move(wins));
+  }
+  return all;
 }
 
 TableCell figure_cell(double value, const Print& print) {
@@ -53,15 +75,15 @@ TableCell figure_cell(double value, const Print& print) {
 
 const std::vector<Question>& questions() {
   static const std::vector<Question> all = {
-      ask("Worst triangle (radius ratio)", "radius_ratio_min"),
-      ask("Average triangle (radius ratio)", "radius_ratio_avg"),
-      ask("Smallest angle", "angle_min"),
-      ask("Largest angle", "angle_max"),
-      ask("Vertices of valence 6", "valence_6_percent"),
-      ask("Edges longer than h0", "edge_over_h0_exceed_percent", 2),
-      ask("Mean distance to the surface", "distance_mean"),
-      ask("Time for sizing and method", "seconds_total", 3, true),
-      ask("Peak memory", "peak_memory_mb"),
+      ask("Worst triangle (radius ratio)", "worst triangle", "radius_ratio_min"),
+      ask("Average triangle (radius ratio)", "average triangle", "radius_ratio_avg"),
+      ask("Smallest angle", "smallest angle", "angle_min"),
+      ask("Largest angle", "largest angle", "angle_max"),
+      ask("Vertices of valence 6", "valence 6", "valence_6_percent"),
+      ask("Edges longer than h0", "edges within h0", "edge_over_h0_exceed_percent", 2),
+      ask("Mean distance to the surface", "distance to the surface", "distance_mean"),
+      ask("Time for sizing and method", "time", "seconds_total", 3, true),
+      ask("Peak memory", "memory", "peak_memory_mb"),
   };
   return all;
 }
@@ -153,7 +175,8 @@ Table methods_table(const RunGrid& runs) {
     row.push_back(share(done, [](const RunRecord& run) { return is_closed_manifold(run); }));
     Runs proven = done;
     std::erase_if(proven, [](const RunRecord* run) { return !run->measurement->figure("euler_reference"); });
-    row.push_back(proven.empty() ? TableCell("–") : share(proven, right_topology));
+    const auto is_right = [](const RunRecord& run) { return passes(check("right_topology"), run) == true; };
+    row.push_back(proven.empty() ? TableCell("–") : share(proven, is_right));
     row.push_back(figure_cell(smallest, to_significant(3)));
     row.push_back(figure_cell(average, to_significant(3)));
     row.push_back(figure_cell(six, to_significant(3)));
@@ -174,30 +197,44 @@ Table methods_table(const RunGrid& runs) {
 
 std::vector<std::string> best_sentences(const RunGrid& runs) {
   std::vector<std::string> sentences;
-  if (runs.variants.size() < 2) return sentences;
-  for (const Question& question : questions()) {
-    std::map<std::string, int> wins;
-    int asked = 0;
-    for (const std::string& dataset : runs.datasets) {
-      const Best answer = best(question, runs, dataset);
-      if (answer.names.empty()) continue;
-      ++asked;
-      for (const std::string& name : answer.names) ++wins[name];
-    }
-    if (asked == 0) continue;
-    if (asked > 1 && wins.size() == 1 && wins.begin()->second == asked) {
-      sentences.push_back(fmt::format("{}: {} on all {} data sets.", question.name, wins.begin()->first, asked));
+  for (const Wins& won : wins_of_all(runs)) {
+    const std::string& name = won.question->name;
+    if (won.asked > 1 && won.by_method.size() == 1 && won.by_method.begin()->second == won.asked) {
+      sentences.push_back(fmt::format("{}: {} on all {} data sets.", name, won.by_method.begin()->first, won.asked));
       continue;
     }
     std::string text;
     for (const Variant& variant : runs.variants) {
-      const auto won = wins.find(variant.name);
-      if (won == wins.end()) continue;
-      text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, won->second);
+      const auto count = won.by_method.find(variant.name);
+      if (count == won.by_method.end()) continue;
+      text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, count->second);
     }
-    sentences.push_back(fmt::format("{}: {} of {} data set{}.", question.name, text, asked, asked == 1 ? "" : "s"));
+    sentences.push_back(fmt::format("{}: {} of {} data set{}.", name, text, won.asked, won.asked == 1 ? "" : "s"));
   }
   return sentences;
+}
+
+std::string best_line(const RunGrid& runs) {
+  std::map<std::string, std::vector<std::string>> best_at;
+  for (const Wins& won : wins_of_all(runs)) {
+    const int most = std::max_element(won.by_method.begin(), won.by_method.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->second;
+    const auto winners = std::count_if(won.by_method.begin(), won.by_method.end(),
+                                       [most](const auto& method) { return method.second == most; });
+    if (winners > 2) continue;  // that many are equal is no news
+    const std::string count = most == won.asked ? "" : fmt::format(" ({} of {})", most, won.asked);
+    for (const auto& [method, times] : won.by_method) {
+      if (times == most) best_at[method].push_back(won.question->brief + count);
+    }
+  }
+  std::vector<std::string> parts;
+  for (const Variant& variant : runs.variants) {
+    const auto found = best_at.find(variant.name);
+    if (found != best_at.end()) parts.push_back(fmt::format("{}: {}", variant.name, fmt::join(found->second, ", ")));
+  }
+  if (parts.empty()) return "";
+  return fmt::format("Best{} – {}.", runs.datasets.size() == 1 ? "" : " on the most data sets", fmt::join(parts, "; "));
 }
 
 }  // namespace isobench

@@ -12,6 +12,7 @@ namespace isobench {
 /// A criterion by which methods are compared: which method has the best value of a figure?
 struct Question {
   std::string name;    ///< "Worst triangle (radius ratio)"
+  std::string brief;   ///< the same in a word or two, within a sentence: "worst triangle"
   std::string figure;  ///< one of figure_names()
   bool larger = true;  ///< a larger value is better
   std::string unit;
@@ -36,6 +37,11 @@ Table best_table(const RunGrid& runs);
 Table methods_table(const RunGrid& runs);
 
 /// best_table() as sentences: "Largest angle: particles on 3, advancing-front on 1 of 4 data sets."
+/// With many data sets, only those count on which every method has a run. Empty for a single method.
 std::vector<std::string> best_sentences(const RunGrid& runs);
+
+/// The same in one line, method by method: "Best on the most data sets – particles: smallest angle (3 of 4), …; …". The
+/// number stands there unless it is all data sets. Criteria in which more than two methods are equal are left out.
+std::string best_line(const RunGrid& runs);
 
 }  // namespace isobench

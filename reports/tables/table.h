@@ -45,6 +45,7 @@ struct Table {
   std::vector<std::string> remarks;      ///< sentences under the table
   std::vector<std::string> definitions;  ///< names of the figures that are defined under it
   std::string source;                    ///< of the published figures
+  bool detail = false;                   ///< rows of single data sets, although there are many: shown last
   bool empty() const { return rows.empty(); }
 };
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/tables/sizing_grid.h"
+#include "isobench/reports/tables/survey_tables.h"
 #include "isobench/reports/tables/table_parts.h"
 
 namespace isobench {
@@ -53,6 +55,10 @@ Column counted(const std::string& title, const std::string& figure) { return {ti
 
 double pinches(const RunRecord& run) {
   return run.measurement->number("nonmanifold_edges") + run.measurement->number("nonmanifold_vertices");
+}
+
+void append(std::vector<Table> more, std::vector<Table>& tables) {
+  std::move(more.begin(), more.end(), std::back_inserter(tables));
 }
 
 // Whether the repeats of a seed agree.
@@ -137,15 +143,17 @@ Table seed_table(const RunGrid& runs) {
 
 std::vector<Table> all_tables(const Results& results) {
   const RunGrid runs = arrange_runs(results);
-  std::vector<Table> tables = ablation_tables(runs);
-  for (Table& table :
-       std::vector<Table>{sizes_table(results, runs), radius_ratio_table(results, runs), valence_table(results, runs),
-                          edge_length_table(results, runs), topology_table(runs), distance_table(runs),
-                          cost_table(runs), seed_table(runs), match_table(results)}) {
-    tables.push_back(std::move(table));
-  }
-  for (Table& stages : stage_tables(runs)) tables.push_back(std::move(stages));
-  for (Table& grid : sizing_grid_tables(results)) tables.push_back(std::move(grid));
+  const bool many = has_many_datasets(runs);
+  std::vector<Table> tables = many ? survey_tables(runs) : std::vector<Table>();
+  const std::size_t overview = tables.size();
+  append(ablation_tables(runs), tables);
+  append({sizes_table(results, runs), many ? dataset_table(runs) : radius_ratio_table(results, runs),
+          valence_table(results, runs), edge_length_table(results, runs), topology_table(runs), distance_table(runs),
+          cost_table(runs), seed_table(runs), match_table(results)},
+         tables);
+  append(stage_tables(runs), tables);
+  for (std::size_t n = overview; n < tables.size(); ++n) tables[n].detail = many;
+  append(sizing_grid_tables(results), tables);
   std::erase_if(tables, [](const Table& table) { return table.empty(); });
   return tables;
 }

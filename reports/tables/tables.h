@@ -10,7 +10,9 @@
 
 namespace isobench {
 
-/// The tables of a results folder, without those that have no row.
+/// The tables of a results folder, without those that have no row. If there are many data sets, those that sum up over
+/// them come first (survey_tables.h). The others follow as Table::detail, and one row for each data set replaces the
+/// paper's Table 2, which has a column for each.
 std::vector<Table> all_tables(const Results& results);
 
 // The single tables. Laid out as in Meyer, Kirby, Whitaker 2007.
