@@ -63,7 +63,7 @@ std::optional<Eigen::Vector3d> free_place(const GeneratedRequest& request, const
     const Eigen::Vector3d cube = numbers.in_cube(attempt);
     if (!beside_another) {
       const Eigen::Vector3d last(request.size[0] - 1.0, request.size[1] - 1.0, request.size[2] - 1.0);
-      const Eigen::Vector3d centre = cube.cwiseProduct(last);
+      Eigen::Vector3d centre = cube.cwiseProduct(last);
       if (island_fits(islands, centre, radius, widest_gap, request.size)) return centre;
       continue;
     }
@@ -71,7 +71,7 @@ std::optional<Eigen::Vector3d> free_place(const GeneratedRequest& request, const
     if (direction.norm() < 0.1 || direction.norm() > 1.0) continue;  // uniform over the sphere
     const Island& other = islands[static_cast<std::size_t>(attempt) % islands.size()];
     const double gap = narrowest_gap + numbers.besides(attempt) * (widest_gap - narrowest_gap);
-    const Eigen::Vector3d centre = other.centre + direction.normalized() * (other.radius + radius + gap);
+    Eigen::Vector3d centre = other.centre + direction.normalized() * (other.radius + radius + gap);
     if (island_fits(islands, centre, radius, narrowest_gap, request.size)) return centre;
   }
   return std::nullopt;

@@ -16,6 +16,17 @@ namespace {
 
 bool is_manifest_path(const std::string& name) { return name.ends_with(".toml"); }
 
+/// Adds the manifests of a folder and of the folders in it, unless there is one of the same name already.
+void add_manifests(const std::filesystem::path& folder, std::map<std::string, std::filesystem::path>& paths) {
+  std::error_code error;
+  std::filesystem::recursive_directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+    if (entry.depth() > 0) entry.disable_recursion_pending();
+    const std::filesystem::path& path = entry->path();
+    if (path.extension() == ".toml") paths.emplace(path.stem().string(), path);
+  }
+}
+
 void add_members(const std::string& manifest, const Family& family, std::vector<std::string>& names) {
   for (int member = 1; member <= family.members; ++member)
     names.push_back(manifest + "-" + member_number(family, member));
@@ -55,10 +66,7 @@ std::map<std::string, std::filesystem::path> manifest_paths() {
   folders.emplace_back(ISOBENCH_CATALOGUE_DIR);
   std::map<std::string, std::filesystem::path> paths;
   for (const std::filesystem::path& folder : folders) {
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-      if (entry.path().extension() == ".toml") paths.emplace(entry.path().stem().string(), entry.path());
-    }
+    add_manifests(folder, paths);
   }
   if (paths.empty()) {
     throw UsageError(

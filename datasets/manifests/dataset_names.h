@@ -10,7 +10,8 @@
 
 namespace isobench {
 
-/// The manifests of the catalogue by their names. One in the folder ISOBENCH_CATALOGUE hides one of the same name.
+/// The manifests of the catalogue and of the folders in it, by their names. One in the folder ISOBENCH_CATALOGUE hides
+/// one of the same name.
 std::map<std::string, std::filesystem::path> manifest_paths();
 
 /// Where a dataset is described.

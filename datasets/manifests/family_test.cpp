@@ -198,6 +198,22 @@ TEST_F(CatalogueOfFamilies, MembersShareTheFilesOfTheirManifest) {
   EXPECT_EQ(fetch_dataset("wild-blocks-2", monitor), std::vector{folder.path() / "data/wild-blocks/v.nrrd"});
 }
 
+TEST_F(CatalogueOfFamilies, AFamilyMayTakeTheFilesOfAnotherManifestOfTheCatalogue) {
+  folder.write("catalogue/more/ramp.toml",
+               "title = \"Ramp\"\nlicence = \"L\"\nisovalue = 16\n[data]\nfolder = \"wild-blocks\"\n"
+               "files = [ { name = \"v.nrrd\", sha256 = \"" +
+                   sum + "\" } ]\n");
+  const std::string borrowing = replaced(wild_blocks, "files = [ { name = \"v.nrrd\" } ]", "of = \"ramp\"");
+  folder.write("catalogue/wild-blocks.toml", borrowing);
+  Monitor monitor;
+  EXPECT_EQ(load_dataset("wild-blocks-1", monitor).surface->lattice().size, (std::array<int, 3>{8, 8, 8}));
+  EXPECT_EQ(load_dataset("ramp", monitor).surface->lattice().size, (std::array<int, 3>{12, 12, 12}));
+  folder.write("catalogue/wild-blocks.toml", replaced(borrowing, "\"ramp\"", "\"rampe\""));
+  const std::string message = message_of([] { dataset_checksum("wild-blocks-1"); });
+  EXPECT_NE(message.find("wild-blocks.toml:4:6: unknown manifest 'rampe'; did you mean 'ramp'?"), std::string::npos)
+      << message;
+}
+
 TEST_F(CatalogueOfFamilies, AnUnknownMemberIsAnsweredWithTheRange) {
   for (const char* name : {"wild-fields-121", "wild-fields-17", "wild-fields-000", "wild-fields-x"}) {
     const std::string message = message_of([&] { dataset_checksum(name, {"config.toml", 7, 3}); });

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/manifests/dataset_names.h"
 #include "isobench/datasets/manifests/manifest_generated.h"
 #include "isobench/datasets/manifests/manifest_steps.h"
 #include "isobench/datasets/manifests/manifest_values.h"
@@ -189,17 +190,30 @@ void refuse_keys(const TomlValue& root, const char* what, std::initializer_list<
   }
 }
 
-/// The manifest whose files this one takes: `of` in [data] names one in the same folder.
-std::optional<TomlValue> find_lender(const TomlValue& root, const std::filesystem::path& path, Manifest& manifest) {
+/// The path of the manifest of this name: in the catalogue, or beside a user's own manifest.
+std::filesystem::path path_of_lender(const TomlValue& of, const Manifest& manifest) {
+  const std::string name = parse_relative(of).string();
+  if (!manifest.beside.empty()) {
+    std::filesystem::path path = manifest.beside / (name + ".toml");
+    if (std::filesystem::is_regular_file(path)) return path;
+    throw UsageError(of.place(),
+                     fmt::format("there is no manifest '{}'; name one that lies beside this one", path.string()));
+  }
+  const auto paths = manifest_paths();
+  const auto found = paths.find(name);
+  if (found != paths.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& entry : paths) names.push_back(entry.first);
+  throw UsageError(of.place(), fmt::format("unknown manifest '{}'{}", name, suggestion(name, names)));
+}
+
+/// The manifest whose files this one takes: the one that `of` in [data] names.
+std::optional<TomlValue> find_lender(const TomlValue& root, Manifest& manifest) {
   const auto data = root.find("data");
   const auto of = data ? data->find("of") : std::nullopt;
   if (!of) return std::nullopt;
   data->allow_keys({"of"}, "a [data] with the files of another manifest");
-  const std::filesystem::path lender = path.parent_path() / (parse_relative(*of).string() + ".toml");
-  if (!std::filesystem::is_regular_file(lender)) {
-    throw UsageError(of->place(),
-                     fmt::format("there is no manifest '{}'; name one that lies beside this one", lender.string()));
-  }
+  const std::filesystem::path lender = path_of_lender(*of, manifest);
   if (manifest.beside.empty()) manifest.folder = of->as_string();
   return TomlValue::parse_file(lender);
 }
@@ -236,7 +250,7 @@ Manifest read_manifest(const std::filesystem::path& path, const std::string& nam
                    "min-component", "prepare", "data", "phantom", "generated", "family"},
                   "a dataset's manifest");
   const TomlValue root = choose_member(file, member, manifest);
-  const TomlValue lender = find_lender(root, path, manifest).value_or(root);
+  const TomlValue lender = find_lender(root, manifest).value_or(root);
   manifest.licence = string_or(root, "licence", string_or(lender, "licence"));
   manifest.source = string_or(root, "source", string_or(lender, "source"));
   manifest.acknowledgement = string_or(root, "acknowledgement", string_or(lender, "acknowledgement"));

@@ -16,8 +16,10 @@ Volume numbered_volume() {
   volume.lattice.origin = {5.0, -3.0, 11.0};
   volume.lattice.direction = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1.0, -1.0, 2.0).normalized()).toRotationMatrix();
   volume.samples.resize(volume.lattice.nodes());
-  for (int n = 0; n < 7 * 6 * 5; ++n) {
-    volume.samples[static_cast<std::size_t>(n)] = static_cast<float>(100 * (n % 7) + 10 * (n / 7 % 6) + n / 42);
+  for (int k = 0; k < 5; ++k) {
+    for (int j = 0; j < 6; ++j) {
+      for (int i = 0; i < 7; ++i) volume.at(i, j, k) = static_cast<float>(100 * i + 10 * j + k);
+    }
   }
   return volume;
 }

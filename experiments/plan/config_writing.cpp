@@ -37,7 +37,7 @@ std::string toml_list(const std::vector<Element>& values) {
 // A thousand names stay readable: as many to a line as have room.
 std::string toml_names(const std::vector<std::string>& names) {
   constexpr std::size_t width = 100;
-  const std::string short_text = toml_list(names);
+  std::string short_text = toml_list(names);
   if (short_text.size() <= width) return short_text;
   std::string text = "[";
   std::string line;
