@@ -118,6 +118,14 @@ std::size_t improve_bad_spots(const FinishContext& context, EditableMesh& mesh, 
   return improved;
 }
 
+double expected_moves(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal,
+                      const SearchEffort& search) {
+  double moves = 0.0;
+  for (const Submesh& submesh : separate_submeshes(context, mesh, goal, search.rings))
+    moves += expected_moves(submesh, search);
+  return moves;
+}
+
 std::size_t count_bad_spots(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal) {
   return bad_spots(context, mesh, goal).size();
 }

@@ -13,6 +13,10 @@ namespace isobench::particles {
 std::size_t improve_bad_spots(const FinishContext& context, EditableMesh& mesh, const ShapeGoal& goal,
                               const SearchEffort& search, SearchBudget& budget);
 
+/// About the moves that these searches would take if they found nothing better.
+double expected_moves(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal,
+                      const SearchEffort& search);
+
 /// The number of bad spots: vertices whose valence misses the goal, and triangles that miss it or have an edge above
 /// h0. A spot without a movable vertex does not count.
 std::size_t count_bad_spots(const FinishContext& context, const EditableMesh& mesh, const ShapeGoal& goal);

@@ -34,26 +34,55 @@ constexpr int last_sweeps = 4;
 constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 
-/// Where edges are long against the features, there are many bad spots that no search can mend. The budget bounds what
-/// is spent on them; other meshes need a small part of it.
-SearchBudget search_budget(const EditableMesh& mesh) {
-  constexpr double moves_per_vertex = 300.0;
-  constexpr double least_moves = 1e6;
-  return {least_moves + moves_per_vertex * static_cast<double>(mesh.vertex_count())};
-}
-
-void improve_tail(const FinishContext& context, EditableMesh& mesh, SearchBudget& budget, Monitor& monitor) {
-  const auto stage = monitor.stage("tail");
-  const double before = budget.moves;
-  for (const SearchEffort& search : searches) {
-    monitor.check();
-    if (!(budget.moves > 0.0)) break;
-    const std::size_t improved = improve_bad_spots(context, mesh, ShapeGoal{}, search, budget);
-    monitor.trace("finish/places improved", static_cast<double>(improved));
+/// The local searches at bad spots. Where edges are long against the features, bad spots crowd, and wide searches at
+/// all of them would take minutes. The budget bounds what is spent; other meshes need a small part of it.
+class Tail {
+ public:
+  Tail(const FinishContext& context, EditableMesh& mesh, double share, Monitor& monitor)
+      : context_(context), mesh_(mesh), monitor_(monitor) {
+    constexpr double moves_per_vertex = 1000.0;
+    constexpr double least_moves = 2e6;
+    budget_.moves = share * (least_moves + moves_per_vertex * static_cast<double>(mesh.vertex_count()));
   }
-  monitor.add("finish/searched moves", before - budget.moves);
-  monitor.set("finish/places left", static_cast<double>(count_bad_spots(context, mesh, ShapeGoal{})));
-}
+
+  void improve() {
+    const auto stage = monitor_.stage("tail");
+    const double before = budget_.moves;
+    for (std::size_t n = 0; n < searches.size() && budget_.moves > 0.0; ++n) {
+      if (n > 0 && searches[n].rings > searches[n - 1].rings) repeat_while_dear(searches[n - 1], searches[n]);
+      search(searches[n]);
+    }
+    monitor_.add("finish/searched moves", before - budget_.moves);
+    monitor_.set("finish/places left", static_cast<double>(count_bad_spots(context_, mesh_, ShapeGoal{})));
+  }
+
+ private:
+  /// A search may spend half of the budget, so that something is left for wider searches at the worst spots.
+  std::size_t search(const SearchEffort& effort) {
+    monitor_.check();
+    SearchBudget half{0.5 * budget_.moves};
+    budget_.moves -= half.moves;
+    const std::size_t improved = improve_bad_spots(context_, mesh_, ShapeGoal{}, effort, half);
+    budget_.moves += half.moves;
+    monitor_.trace("finish/places improved", static_cast<double>(improved));
+    return improved;
+  }
+
+  /// Crowded spots are treated one after another, because their submeshes overlap. The narrower search mends many of
+  /// them at a small part of the cost.
+  void repeat_while_dear(const SearchEffort& effort, const SearchEffort& wider) {
+    constexpr int most_repeats = 20;
+    for (int repeat = 0; repeat < most_repeats; ++repeat) {
+      if (expected_moves(context_, mesh_, ShapeGoal{}, wider) <= 0.25 * budget_.moves) return;
+      if (search(effort) == 0) return;
+    }
+  }
+
+  const FinishContext& context_;
+  EditableMesh& mesh_;
+  Monitor& monitor_;
+  SearchBudget budget_;
+};
 
 void improve_everywhere(const FinishContext& context, EditableMesh& edited, int rounds, Monitor& monitor) {
   for (int round = 0; round < rounds; ++round) {
@@ -125,9 +154,7 @@ class Finishing {
       improve_everywhere(context_, edited, rounds_, monitor_);
       // Before the tail, too: it takes most of the time if the mesh is bad.
       if (!is_free_of_new_intersections(edited, edited.triangle_mesh(), attempt)) continue;
-      SearchBudget budget = search_budget(edited);
-      budget.moves *= std::exp2(-attempt);
-      improve_tail(context_, edited, budget, monitor_);
+      Tail(context_, edited, std::exp2(-attempt), monitor_).improve();
       project_all(context_.surface, edited);
       TriangleMesh finished = edited.triangle_mesh();
       if (is_free_of_new_intersections(edited, finished, attempt)) return finished;
