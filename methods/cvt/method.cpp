@@ -40,7 +40,7 @@ class Mesher {
     // smaller around them.
     const int rounds = task_.parameters.integer("rounds");
     int round = 0;
-    for (; round < rounds && sites_.size() > sites; ++round) {
+    for (; round < rounds && sites_.size() > sites && !gave_up_; ++round) {
       particles::shrink_around({sites_.points.begin() + static_cast<std::ptrdiff_t>(sites), sites_.points.end()},
                                sized_);
       constexpr Iterations again{3, 20};
@@ -67,7 +67,8 @@ class Mesher {
                                       task_.parameters.number("candidates"), task_.seed, monitor_);
     particles::add_component_seeds(task_.topology(monitor_), sized_, seeds);
     sites_ = particles::make_particles(sized_, std::move(seeds));
-    monitor_.set("cvt/seeds", static_cast<double>(sites_.size()));
+    seeds_ = sites_.size();
+    monitor_.set("cvt/seeds", static_cast<double>(seeds_));
   }
 
   void optimise(const Iterations& iterations, std::vector<Triangle> triangles) {
@@ -87,7 +88,11 @@ class Mesher {
     LabelledDelaunay delaunay(sites_.points, task_.surface, monitor_);
     particles::CureOptions options;
     options.rounds = task_.parameters.integer("cure");
-    record_cure(particles::cure(sized_, task_.topology(monitor_), sites_, delaunay, options, monitor_), monitor_);
+    options.usual_particles = seeds_;
+    const particles::CureResult cured =
+        particles::cure(sized_, task_.topology(monitor_), sites_, delaunay, options, monitor_);
+    record_cure(cured, monitor_);
+    gave_up_ = cured.gave_up;
     return delaunay.triangles();
   }
 
@@ -95,6 +100,8 @@ class Mesher {
   particles::SizedSurface& sized_;
   Monitor& monitor_;
   particles::Particles sites_;
+  std::size_t seeds_ = 0;
+  bool gave_up_ = false;  // the cure has, on these sites
 };
 
 TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
@@ -113,7 +120,7 @@ Method method_cvt() {
   method.summary =
       "Centroidal Voronoi tessellation of F = c with density 1/h^4, by Lloyd's iterations and L-BFGS, closed by a "
       "sign-labelled Delaunay triangulation (Du, Faber, Gunzburger 1999; Liu, Wang, Levy et al. 2009)";
-  method.revision = 3;
+  method.revision = 4;
   method.parameters = {
       {"contraction",
        1.5,

@@ -59,7 +59,7 @@ class Curing {
   CureResult run(Monitor& monitor) {
     Findings found = find_defects();
     result_.before = found.defects;
-    most_particles_ = particles_without_end();
+    set_ends(found);
     const int most_comparisons = options_.rounds > 0 || options_.relaxations > 0 ? 3 : 0;
     for (int comparison = 0;; ++comparison) {
       remove_defects(found, monitor);
@@ -67,7 +67,7 @@ class Curing {
       found.defects.differing = places.size();
       result_.differs_near.clear();
       for (const auto& of_component : places) result_.differs_near.push_back(of_component.front());
-      if (places.empty() || comparison == most_comparisons || is_endless()) break;
+      if (places.empty() || comparison == most_comparisons || is_endless(found)) break;
       proposed_.clear();
       relaxation_centres_.clear();
       for (const auto& of_component : places) {
@@ -79,19 +79,20 @@ class Curing {
       found = find_defects();
     }
     result_.after = found.defects;
+    result_.gave_up = found.defects.all() > 0 && is_endless(found);
     return result_;
   }
 
  private:
   void remove_defects(Findings& found, Monitor& monitor) {
-    while (found.defects.all() > 0 && result_.relaxations < options_.relaxations && !is_endless()) {
+    while (found.defects.all() > 0 && result_.relaxations < options_.relaxations && !is_endless(found)) {
       monitor.progress(static_cast<double>(result_.relaxations) / options_.relaxations);
       add_particles(found);
       if (relaxation_centres_.empty()) break;
       relax(monitor);
       found = find_defects();
     }
-    for (int round = 0; round < options_.rounds && found.defects.all() > 0 && !is_endless(); ++round) {
+    for (int round = 0; round < options_.rounds && found.defects.all() > 0 && !is_endless(found); ++round) {
       monitor.check();
       if (add_particles(found) == 0) break;
       ++result_.rounds;
@@ -100,16 +101,22 @@ class Curing {
     cut_pinches(found);
   }
 
-  // Several times the particles that any surface needs: each box of the proof holds a single disc.
-  std::size_t particles_without_end() const {
+  // More particles than any surface needs, because each box of the proof holds a single disc, and more defects than a
+  // cure leaves on its way.
+  void set_ends(const Findings& found) {
+    constexpr std::size_t few = 1000;
     std::size_t boxes = 0;
     topology_.boxes->for_each([&boxes](const SurfaceBox&) { ++boxes; });
-    return 1000 + 2 * particles_.size() + 8 * boxes;
+    const std::size_t usual = options_.usual_particles > 0 ? options_.usual_particles : particles_.size();
+    most_particles_ = few + 2 * usual + 8 * boxes;
+    most_defects_ = few + 2 * found.defects.all();
   }
 
-  // Whether adding more is in vain. With derivatives that are not those of the values (Kernel::catmull_rom), tilted
-  // facets may remain at any density, and their number would grow from round to round.
-  bool is_endless() const { return particles_.size() > most_particles_; }
+  // Whether adding more is in vain. With derivatives that are not those of the values (Kernel::catmull_rom), defects
+  // may remain at any density, and their number would grow from round to round.
+  bool is_endless(const Findings& found) const {
+    return particles_.size() > most_particles_ || found.defects.all() > most_defects_;
+  }
 
   std::vector<char> differing_components() const {
     const TriangleMesh mesh{particles_.points, delaunay_.triangles(), {}, {}};
@@ -340,6 +347,7 @@ class Curing {
   std::vector<Eigen::Vector3d> proposed_;
   std::vector<Eigen::Vector3d> relaxation_centres_;
   std::size_t most_particles_ = 0;
+  std::size_t most_defects_ = 0;
   CureResult result_;
 };
 

@@ -30,6 +30,8 @@ struct CureOptions {
   int rounds = 20;                   ///< maximum number of rounds after them that only add particles
   double least_h = 0.0;              ///< mm: the relaxations do not make h smaller than this
   PopulationLimits population = {};  ///< population control of the relaxations
+  /// The number of particles that the sizing asks for, if another cure may have added to them; 0: those that are there.
+  std::size_t usual_particles = 0;
 };
 
 struct CureResult {
@@ -41,6 +43,7 @@ struct CureResult {
   std::size_t flipped = 0;                    ///< cells whose label was changed as a last resort
   int rounds = 0;                             ///< rounds done without relaxation
   int relaxations = 0;                        ///< relaxations done
+  bool gave_up = false;                       ///< more particles would only make more defects
 };
 
 /// Adds particles where the triangulation differs from the surface: where the dual edges of defective facets cross
@@ -53,8 +56,9 @@ struct CureResult {
 /// label of a cell.
 ///
 /// At the end, the triangulation is compared with F = c component by component. If one differs, it gets particles at
-/// its smallest places (the deepest boxes of the proof), and the cure begins again, at most three times. No more
-/// particles are added once there are several for each box of the proof.
+/// its smallest places (the deepest boxes of the proof), and the cure begins again, at most three times.
+///
+/// The cure gives up once there are several particles for each box of the proof, or far more defects than before.
 ///
 /// The result does not depend on the number of threads. Cost: 1 µs a facet on all threads, and about 80 µs on one
 /// thread for each relaxed particle.

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include "isobench/datasets/phantoms/phantoms.h"
+#include "isobench/foundation/random.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/particles/relaxation/newton.h"
@@ -19,7 +20,9 @@ using particles::SizedSurface;
 // Relaxed particles on a phantom, and the mesh after a cure.
 struct Case {
   Case(const std::string& name, int nodes, double edge_length)
-      : surface(sample_phantom(phantom(name), nodes), 0.0),
+      : Case(sample_phantom(phantom(name), nodes), Kernel::bspline, edge_length) {}
+  Case(FloatVolume volume, Kernel kernel, double edge_length)
+      : surface(std::move(volume), 0.0, Inside::above, kernel),
         field(edge_length),
         sized(surface, field),
         topology(certified_topology(surface, monitor)) {
@@ -145,6 +148,27 @@ TEST(ParticlesCure, DoesNotDependOnThreads) {
   }
   EXPECT_EQ(meshes[0].vertices, meshes[1].vertices);
   EXPECT_EQ(meshes[0].triangles, meshes[1].triangles);
+}
+
+// The normals of this surface are not those of its values: at some places all facets are tilted, at any density.
+TEST(ParticlesCure, GivesUpWhereParticlesOnlyAddDefects) {
+  FloatVolume noise;
+  noise.lattice.size = {14, 14, 14};
+  noise.samples.resize(noise.lattice.nodes(), -1.0F);
+  for (int k = 2; k < 12; ++k) {
+    for (int j = 2; j < 12; ++j) {
+      for (int i = 2; i < 12; ++i) {
+        const std::size_t n = noise.lattice.index(i, j, k);
+        noise.samples[n] = static_cast<float>(uniform_random(1, n, 0) - 0.5);
+      }
+    }
+  }
+  Case rough(noise, Kernel::catmull_rom, 0.5);
+  const std::size_t count = rough.all.size();
+  const CureResult cured = rough.run();
+  EXPECT_TRUE(cured.gave_up);
+  EXPECT_LT(cured.rounds, 30);
+  EXPECT_LT(rough.all.size(), 3 * count);
 }
 
 }  // namespace

@@ -46,6 +46,23 @@ Extent extent_of(const std::vector<Vector3d>& points) {
   return extent;
 }
 
+/// The h that gives a component its seeds. A wide thin one would get very many if they were as close as it is thin: it
+/// gets some thousands, and the cure adds what is missing at its rim.
+double h_for_seeds(const Extent& extent, double area, double contraction) {
+  constexpr double most_seeds = 2000.0;
+  const double least = std::sqrt(2.0 / std::sqrt(3.0) * area / most_seeds);
+  return std::max(spacing_of_width * extent.half_width, least) * contraction;
+}
+
+/// About the area of each component, mm²: a disc in a box is about as large as a side of the box.
+std::vector<double> areas_of(const CertifiedTopology& topology) {
+  std::vector<double> areas(topology.components.size(), 0.0);
+  topology.boxes->for_each([&areas](const SurfaceBox& box) {
+    areas[box.component] += std::pow((box.box.high - box.box.low).prod(), 2.0 / 3.0);
+  });
+  return areas;
+}
+
 /// Adds points to the seeds, as long as each keeps 0.75 times the spacing from those before. A point on a sheet that
 /// faces the other way does not count.
 void add_spaced(const std::vector<Vector3d>& points, const std::vector<Vector3d>& standing, const SizedSurface& sized,
@@ -119,11 +136,12 @@ std::size_t add_component_seeds(const CertifiedTopology& topology, SizedSurface&
   }
   if (lacking.empty()) return 0;
   const std::vector<std::vector<Vector3d>> points = points_on_components(sized.surface(), topology, lacks);
+  const std::vector<double> areas = areas_of(topology);
   std::vector<SizeBound> bounds;
-  for (const std::vector<Vector3d>& on : points) {
-    if (on.empty()) continue;
-    const Extent extent = extent_of(on);
-    const double h = spacing_of_width * extent.half_width * sized.contraction();
+  for (std::size_t n = 0; n < lacking.size(); ++n) {
+    if (points[n].empty()) continue;
+    const Extent extent = extent_of(points[n]);
+    const double h = h_for_seeds(extent, areas[lacking[n]], sized.contraction());
     bounds.push_back({extent.middle, h, extent.radius, h});
   }
   sized.add_bounds(bounds);
