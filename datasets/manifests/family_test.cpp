@@ -26,7 +26,7 @@ const std::string wild_fields =
 
 const std::string wild_blocks =
     "title = \"Blocks\"\n"
-    "prepare = [ { step = \"cut\", size = 8 }, { step = \"gaussian\", sigma = 0.5 } ]\n"
+    "prepare = [ { step = \"cut\", size = 8 }, { step = \"pad\", voxels = 3, value = 0 } ]\n"
     "[data]\nfiles = [ { name = \"v.nrrd\" } ]\n"
     "[family]\nname = \"scans\"\nmembers = 6\nisovalue = [16, 18.5, 17]\ncut.from = [[0, 0, 0], [4, 4, 4]]\n";
 
@@ -83,7 +83,7 @@ TEST(Family, AMemberOfDataHasItsOwnStepsAndIsovalue) {
     ASSERT_EQ(manifest.steps.size(), 2U);
     const auto& cut = std::get<Cut>(manifest.steps[0]);
     EXPECT_EQ(cut.size, (std::array<int, 3>{8, 8, 8}));
-    EXPECT_EQ(std::get<Gaussian>(manifest.steps[1]).sigma, Eigen::Vector3d::Constant(0.5));
+    EXPECT_EQ(std::get<Pad>(manifest.steps[1]).voxels, 3);
     seen.insert(fmt::format("{} {}", manifest.isovalue, cut.from[0]));
   }
   EXPECT_EQ(seen, (std::set<std::string>{"16 0", "16 4", "18.5 0", "18.5 4", "17 0", "17 4"}));
@@ -192,22 +192,22 @@ TEST_F(CatalogueOfFamilies, MembersShareTheFilesOfTheirManifest) {
   Monitor monitor;
   const Dataset first = load_dataset("wild-blocks-1", monitor);
   const Dataset second = load_dataset("wild-blocks-2", monitor);
-  EXPECT_EQ(first.surface->lattice().size, (std::array<int, 3>{8, 8, 8}));
-  EXPECT_EQ(first.surface->lattice().origin, Eigen::Vector3d(0.0, 0.0, 0.0));
-  EXPECT_EQ(second.surface->lattice().origin, Eigen::Vector3d(4.0, 4.0, 4.0));
+  EXPECT_EQ(first.surface->lattice().size, (std::array<int, 3>{14, 14, 14}));
+  EXPECT_EQ(first.surface->lattice().origin, Eigen::Vector3d(-3.0, -3.0, -3.0));
+  EXPECT_EQ(second.surface->lattice().origin, Eigen::Vector3d(1.0, 1.0, 1.0));
   EXPECT_EQ(fetch_dataset("wild-blocks-2", monitor), std::vector{folder.path() / "data/wild-blocks/v.nrrd"});
 }
 
 TEST_F(CatalogueOfFamilies, AFamilyMayTakeTheFilesOfAnotherManifestOfTheCatalogue) {
   folder.write("catalogue/more/ramp.toml",
-               "title = \"Ramp\"\nlicence = \"L\"\nisovalue = 16\n[data]\nfolder = \"wild-blocks\"\n"
+               "title = \"Ramp\"\nlicence = \"L\"\nisovalue = 16\nprepare = [ { step = \"close-border\" } ]\n[data]\nfolder = \"wild-blocks\"\n"
                "files = [ { name = \"v.nrrd\", sha256 = \"" +
                    sum + "\" } ]\n");
   const std::string borrowing = replaced(wild_blocks, "files = [ { name = \"v.nrrd\" } ]", "of = \"ramp\"");
   folder.write("catalogue/wild-blocks.toml", borrowing);
   Monitor monitor;
-  EXPECT_EQ(load_dataset("wild-blocks-1", monitor).surface->lattice().size, (std::array<int, 3>{8, 8, 8}));
-  EXPECT_EQ(load_dataset("ramp", monitor).surface->lattice().size, (std::array<int, 3>{12, 12, 12}));
+  EXPECT_EQ(load_dataset("wild-blocks-1", monitor).surface->lattice().size, (std::array<int, 3>{14, 14, 14}));
+  EXPECT_EQ(load_dataset("ramp", monitor).surface->lattice().size, (std::array<int, 3>{18, 15, 18}));
   folder.write("catalogue/wild-blocks.toml", replaced(borrowing, "\"ramp\"", "\"rampe\""));
   const std::string message = message_of([] { dataset_checksum("wild-blocks-1"); });
   EXPECT_NE(message.find("wild-blocks.toml:4:6: unknown manifest 'rampe'; did you mean 'ramp'?"), std::string::npos)

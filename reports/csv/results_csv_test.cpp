@@ -13,27 +13,10 @@
 namespace isobench {
 namespace {
 
-// RFC 4180, for one line.
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result(1);
-  bool inside = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && inside && i + 1 < line.size() && line[i + 1] == '"')
-      result.back() += line[i++];
-    else if (line[i] == '"')
-      inside = !inside;
-    else if (line[i] == ',' && !inside)
-      result.emplace_back();
-    else
-      result.back() += line[i];
-  }
-  return result;
-}
-
 std::map<std::string, std::string> row(const RunRecord& record) {
   const std::vector<std::string> csv = lines(results_csv({record}));
-  const std::vector<std::string> names = cells(csv.at(0));
-  const std::vector<std::string> values = cells(csv.at(1));
+  const std::vector<std::string> names = csv_cells(csv.at(0));
+  const std::vector<std::string> values = csv_cells(csv.at(1));
   EXPECT_EQ(names.size(), values.size());
   std::map<std::string, std::string> result;
   for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = values[i];
@@ -56,7 +39,7 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
 }
 
 TEST(ResultsCsv, EveryColumnIsDocumented) {
-  const std::vector<std::string> header = cells(lines(results_csv({})).at(0));
+  const std::vector<std::string> header = csv_cells(lines(results_csv({})).at(0));
   std::vector<std::string> documented;
   for (const std::string& line : lines(columns_text())) {
     if (!line.starts_with("| ") || line.starts_with("| Column ") || line.starts_with("| --")) continue;
