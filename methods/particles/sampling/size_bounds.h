@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
@@ -26,8 +27,8 @@ class SizeBounds {
   /// `delta` is δ, the rise of a bound beyond its plateau in mm per mm.
   SizeBounds(const Isosurface& surface, double delta);
 
-  /// Time and memory are linear in the number of bounds. The first bound of a new order of magnitude also takes 4 bytes
-  /// for each brick of its grid; a brick is at least four voxels wide.
+  /// Time and memory are linear in the number of bounds. The first bound takes 4 bytes for each block of 4 × 4 × 4
+  /// voxels, and so does the first bound of each order of magnitude that reaches farther than such a block is wide.
   void add(const std::vector<SizeBound>& bounds);
 
   std::size_t size() const { return bounds_.size(); }
@@ -39,26 +40,36 @@ class SizeBounds {
   double scaled_distance(const Eigen::Vector3d& x, std::size_t first) const;
 
  private:
-  /// Bounds of one order of magnitude, listed by bricks at least as wide as the farthest reach among them.
+  /// Bounds of one order of magnitude, listed by bricks at least as wide as the farthest reach among them. Wide bricks
+  /// are few, so each has a number; narrow ones may be thousands to a voxel, but only those at bounds are kept.
   struct Grid {
     double brick = 0.0;  // mm
     Eigen::Array3i bricks;
-    std::vector<std::int32_t> list_of_brick;  // -1: no bound reaches into the brick
-    std::vector<std::vector<std::uint32_t>> lists;
+    bool is_narrow = false;
+    std::vector<std::int32_t> list_of_brick;  // of a wide grid; -1: no bound reaches into the brick
+    std::unordered_map<std::uint64_t, std::int32_t> list_of_narrow_brick;
+    std::vector<std::vector<std::uint32_t>> lists;  // each in increasing order of the bounds' h
 
-    std::size_t brick_of(const Eigen::Vector3d& x) const;
-    void add(std::uint32_t bound, const Eigen::Vector3d& position, const Eigen::Vector3d& extent);
+    std::uint64_t brick_of(const Eigen::Vector3d& x) const;
+    std::int32_t list_at(const Eigen::Vector3d& x) const;  ///< -1: no bound reaches x
+    std::vector<std::uint32_t>& list_for(std::uint64_t at);
+    /// The numbers of the bricks into which a bound at this position may reach.
+    std::vector<std::uint64_t> bricks_around(const Eigen::Vector3d& position, const Eigen::Vector3d& extent) const;
   };
 
   Grid& grid_for(double reach);
+  void mark_blocks(const Eigen::Vector3d& position, double reach, std::uint32_t mark);
+  /// Calls `visit(list)` for the lists of bounds that may reach x.
   template <class Visit>
-  void visit_near(const Eigen::Vector3d& x, Visit&& visit) const;
+  void visit_lists(const Eigen::Vector3d& x, Visit&& visit) const;
 
   double delta_;
   double voxel_;
   Eigen::Vector3d extent_;
   std::vector<SizeBound> bounds_;
   std::vector<Grid> grids_;
+  Eigen::Array3i blocks_;
+  std::vector<std::uint32_t> grids_at_block_;  // bit n: a bound of the narrow grid n may reach into the block
 };
 
 }  // namespace isobench::particles

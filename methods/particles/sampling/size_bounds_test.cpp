@@ -66,7 +66,7 @@ TEST_F(SizeBoundsTest, TheSmallestBoundHolds) {
   for (int n = 0; n < 60; ++n) {
     const Vector3d at = surface.extent().cwiseProduct(
         Vector3d(std::abs(std::sin(n)), std::abs(std::sin(2.3 * n + 1)), std::abs(std::sin(3.7 * n + 2))));
-    const double unit = voxel * std::exp2(n % 5 - 2);
+    const double unit = voxel * std::exp2(n % 9 - 6);
     all.push_back({at, 0.7 * unit, n % 2 == 0 ? 0.0 : unit, unit});
   }
   bounds.add({all.begin(), all.begin() + 20});
