@@ -200,7 +200,8 @@ TEST_F(CatalogueOfFamilies, MembersShareTheFilesOfTheirManifest) {
 
 TEST_F(CatalogueOfFamilies, AFamilyMayTakeTheFilesOfAnotherManifestOfTheCatalogue) {
   folder.write("catalogue/more/ramp.toml",
-               "title = \"Ramp\"\nlicence = \"L\"\nisovalue = 16\nprepare = [ { step = \"close-border\" } ]\n[data]\nfolder = \"wild-blocks\"\n"
+               "title = \"Ramp\"\nlicence = \"L\"\nisovalue = 16\nprepare = [ { step = \"close-border\" } "
+               "]\n[data]\nfolder = \"wild-blocks\"\n"
                "files = [ { name = \"v.nrrd\", sha256 = \"" +
                    sum + "\" } ]\n");
   const std::string borrowing = replaced(wild_blocks, "files = [ { name = \"v.nrrd\" } ]", "of = \"ramp\"");

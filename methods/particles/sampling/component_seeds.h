@@ -22,8 +22,8 @@ std::vector<std::vector<Eigen::Vector3d>> points_on_components(const Isosurface&
                                                                const std::vector<char>& chosen);
 
 /// On each component with fewer than 12 seeds, which is too few for a mesh of it, unless it is left out: adds a bound
-/// on h, so that the spacing is two thirds of the component's half width, and seeds at this spacing, though at most some
-/// thousands. Returns the number of such components. The result does not depend on the number of threads.
+/// on h, so that the spacing is two thirds of the component's half width, and seeds at this spacing, though at most
+/// some thousands. Returns the number of such components. The result does not depend on the number of threads.
 std::size_t add_component_seeds(const CertifiedTopology& topology, SizedSurface& sized,
                                 std::vector<Eigen::Vector3d>& seeds);
 
