@@ -42,7 +42,7 @@ SparseMatrix scaled(const SparseMatrix& a, const Eigen::VectorXd& s);
 Eigen::VectorXd random_vector(Eigen::Index size, std::uint64_t seed);
 
 using Factorization = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
-/// The factors of a symmetric matrix; nullptr where it is not positive definite to the last digit. About 2 s and 140 MB
+/// The factors of a symmetric matrix; nullptr where it is not positive definite to the last digit. 2 to 4 s and 140 MB
 /// for a mesh of 250,000 vertices, one thread; a solution then takes 0.04 s. Supernodal factors (CHOLMOD) would be
 /// quicker, but need another library.
 std::unique_ptr<Factorization> factorized(const SparseMatrix& a);
