@@ -98,6 +98,11 @@ const MeshEdges& MetricInput::edges() {
   return *edges_;
 }
 
+const FiniteElements& MetricInput::finite_elements() {
+  if (!finite_elements_) finite_elements_ = isobench::finite_elements(mesh_, half_edges());
+  return *finite_elements_;
+}
+
 const std::vector<double>& MetricInput::h0() {
   if (!h0_) {
     h0_.emplace(mesh_.vertices.size());
@@ -140,11 +145,15 @@ void MetricOutput::add_triangle_data(const std::string& name, std::vector<double
   mesh_.triangle_data[name] = std::move(values);
 }
 
-Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor) {
+Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor, MetricChoice choice) {
   check_mesh(mesh);
   Measurement measurement;
   MetricInput input(mesh, against, monitor);
   for (const Metric& metric : metrics()) {
+    if (metric.when == When::on_request && choice == MetricChoice::usual) {
+      for (const FigureDeclaration& figure : metric.figures) measurement.set_unknown(figure_index(figure.name));
+      continue;
+    }
     if (!has_what_it_needs(metric, against)) continue;
     monitor.check();
     const auto stage = monitor.stage(metric.stage.empty() ? metric.name : metric.stage);

@@ -20,7 +20,8 @@ namespace isobench {
 inline constexpr int metrics_revision = 5;
 
 /// A value or "not measured" for each declared figure. A figure may also be unknown: the program that wrote the record
-/// did not declare it yet. Names that no metric declares are mistakes in the code and throw std::logic_error.
+/// did not declare it yet, or nobody asked for it. Names that no metric declares are mistakes in the code and throw
+/// std::logic_error.
 ///
 /// Very many of these are held at once: a figure takes 8 bytes.
 class Measurement {
@@ -40,7 +41,7 @@ class Measurement {
   double number_at(std::size_t figure) const { return values_[figure]; }
   void set_at(std::size_t figure, std::optional<double> value);
 
-  /// Whether the program that measured knew the figure.
+  /// Whether the program that measured knew the figure and was to measure it.
   bool is_known(std::size_t figure) const;
   void set_unknown(std::size_t figure);
 
@@ -64,12 +65,19 @@ struct MeasuredAgainst {
   const CertifiedTopology* topology = nullptr;  ///< of the surface; computed where it is not given
 };
 
+/// Which metrics measure() calls.
+enum class MetricChoice {
+  usual,  ///< those whose `when` is `always`; the figures of the others stay unknown
+  all,
+};
+
 /// Measures a mesh by every metric that has what it needs, and adds data arrays for viewers to the mesh: "radius_ratio"
 /// for each triangle; "valence", "h0" and "distance" for each vertex. Shared parts, such as the mesh's edges, are
 /// computed once.
 /// Throws DataError for a mesh without triangles, indices out of range or coordinates that are not finite or beyond
 /// 1e12 mm; Cancelled.
-Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor);
+Measurement measure(TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor,
+                    MetricChoice choice = MetricChoice::all);
 
 /// Against a surface and a sizing.
 Measurement measure(TriangleMesh& mesh, const Isosurface& surface, const SizingField& sizing, Monitor& monitor);

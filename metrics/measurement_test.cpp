@@ -139,6 +139,23 @@ TEST(Measurement, RefusesWhatIsNoMesh) {
   expect_refused(mesh, "vertex 5");
 }
 
+TEST(Measurement, WhatTakesSecondsIsMeasuredOnRequest) {
+  TriangleMesh mesh = torus_mesh();
+  const Isosurface surface = torus_surface();
+  Monitor monitor;
+  const Measurement usual = measure(mesh, {.surface = &surface}, monitor, MetricChoice::usual);
+  const Measurement all = measure(mesh, {.surface = &surface}, monitor, MetricChoice::all);
+  std::size_t on_request = 0;
+  for (std::size_t n = 0; n < declared_figures().size(); ++n) {
+    const bool asked = metric_of_figure(n).when == When::on_request;
+    on_request += asked ? 1 : 0;
+    EXPECT_TRUE(all.is_known(n));
+    EXPECT_EQ(usual.is_known(n), !asked) << declared_figures()[n].name;
+    EXPECT_EQ(usual.at(n), asked ? std::nullopt : all.at(n)) << declared_figures()[n].name;
+  }
+  EXPECT_EQ(on_request, 7U);
+}
+
 TEST(Measurement, StopsWhenCancelled) {
   TriangleMesh mesh = torus_mesh();
   Monitor monitor;

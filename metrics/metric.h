@@ -24,6 +24,12 @@ enum class Needs {
   sizing,   ///< the sizing field that the mesh was asked for
 };
 
+/// When a metric is measured.
+enum class When {
+  always,
+  on_request,  ///< it takes seconds: runs of an experiment without `metrics_of_use` leave it out
+};
+
 enum class Kind {
   number,
   count,    ///< a whole number of at least 0
@@ -74,6 +80,7 @@ class MetricOutput;
 struct Metric {
   std::string name{};  ///< the folder's
   Needs needs = Needs::mesh;
+  When when = When::always;
   /// The monitor's stage that its seconds are booked to; "" for a stage of the metric's name.
   std::string stage{};
   /// Every run.json has these figures; a record that lacks one is damaged. Leave it false for a new metric: in records

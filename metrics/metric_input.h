@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isobench/metrics/finite_elements/finite_elements.h"
 #include "isobench/metrics/measurement.h"
 #include "isobench/metrics/mesh_edges.h"
 
@@ -23,10 +24,15 @@ class MetricInput {
   const TriangleMesh& mesh() const { return mesh_; }
   const Isosurface& surface() const { return *against_.surface; }  ///< precondition: the metric needs it
   const SizingField& sizing() const { return *against_.sizing; }   ///< precondition: the metric needs it
+  /// For metrics of a mesh alone that judge it by what was asked for, where that is known; else nullptr.
+  const SizingField* sizing_if_given() const { return against_.sizing; }
+  /// Whether there is a sizing, and it is not the same everywhere.
+  bool is_adaptive() const { return against_.sizing != nullptr && !against_.sizing->uniform(); }
   Monitor& monitor() const { return monitor_; }
 
   const std::vector<HalfEdge>& half_edges();
   const MeshEdges& edges();
+  const FiniteElements& finite_elements();
   /// h0 at each vertex, mm. Precondition: the metric needs the sizing. One interpolation a vertex, all threads.
   const std::vector<double>& h0();
   /// Of the surface itself. Precondition: the metric needs the surface. For its cost see certified_topology().
@@ -38,6 +44,7 @@ class MetricInput {
   Monitor& monitor_;
   std::optional<std::vector<HalfEdge>> half_edges_;
   std::optional<MeshEdges> edges_;
+  std::optional<FiniteElements> finite_elements_;
   std::optional<std::vector<double>> h0_;
   std::optional<CertifiedTopology> topology_;
 };

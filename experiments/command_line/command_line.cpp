@@ -214,7 +214,13 @@ void add_measure(CLI::App& app, CommandLine& line) {
   add_surface(*verb, measure.surface);
   add(*verb, "--epsilon", measure.epsilon, "E",
       "compare edges with h0, the longest edge that this epsilon allows; needs a surface");
+  add(*verb, "--delta", measure.delta, "D",
+      "with --epsilon: the delta that the mesh was asked for, by whose sizes areas and time steps are judged (default: "
+      "0.3)");
   add(*verb, "--floor", measure.floor, "F", fmt::format("h0 is at least F voxels (default: {})", measure.floor));
+  verb->add_flag("--metrics-of-use", measure.metrics_of_use,
+                 "of a results folder: add the metrics that take seconds, such as the condition of linear systems, to "
+                 "every run; a mesh file always has them");
   verb->add_flag("--json", measure.json, "print every figure as JSON");
   add_tables_only(*verb, line);
   add_common(*verb, line);

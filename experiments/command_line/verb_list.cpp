@@ -81,7 +81,8 @@ Rows metric_rows() {
   Rows rows;
   for (std::size_t n = 0; n < declared_figures().size(); ++n) {
     const FigureDeclaration& figure = declared_figures()[n];
-    rows.push_back({figure.name, figure.unit, full_definition(figure) + needs(metric_of_figure(n))});
+    const char* when = metric_of_figure(n).when == When::on_request ? " Runs have it with metrics_of_use = true." : "";
+    rows.push_back({figure.name, figure.unit, full_definition(figure) + needs(metric_of_figure(n)) + when});
   }
   return rows;
 }

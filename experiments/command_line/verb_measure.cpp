@@ -12,13 +12,14 @@ namespace isobench {
 namespace {
 
 int measure_results(const MeasureArguments& arguments, const CommonArguments& common) {
-  if (arguments.surface.given() || arguments.epsilon || arguments.json) {
+  if (arguments.surface.given() || arguments.epsilon || arguments.delta || arguments.json) {
     throw UsageError(arguments.mesh.string() +
                      " is a folder: each run in it is measured against its own dataset and sizing. Leave out "
-                     "--dataset, --volume, --epsilon and --json, or name a mesh file");
+                     "--dataset, --volume, --epsilon, --delta and --json, or name a mesh file");
   }
   Console console(common.verbosity);
-  const RemeasureSummary summary = remeasure(arguments.mesh, console);
+  const MetricChoice choice = arguments.metrics_of_use ? MetricChoice::all : MetricChoice::usual;
+  const RemeasureSummary summary = remeasure(arguments.mesh, choice, console);
   write_report_locked(arguments.mesh, common.tables_only ? ReportParts::tables : ReportParts::all);
   std::string text = fmt::format("{} measured", summary.measured);
   if (summary.without_mesh > 0) text += fmt::format(", {} without a mesh", summary.without_mesh);
@@ -31,11 +32,12 @@ int measure_results(const MeasureArguments& arguments, const CommonArguments& co
 int measure_file(const MeasureArguments& arguments, const CommonArguments& common) {
   if (arguments.surface.given()) check(arguments.surface);
   SizingRequest request;
+  if (arguments.delta && !arguments.epsilon) throw UsageError("--delta goes with --epsilon; give both");
   if (arguments.epsilon) {
     if (!arguments.surface.given())
       throw UsageError("--epsilon needs the surface, for its curvature and feature size: give --dataset or --volume");
     request.epsilon = arguments.epsilon;
-    request.delta = 0.3;  // h0 does not depend on it
+    request.delta = arguments.delta.value_or(0.3);
     request.floor = arguments.floor;
     check(request);
   }

@@ -77,7 +77,9 @@ struct MeasureArguments {
   std::filesystem::path mesh;     ///< a file, or a results folder: each of its meshes, as its record states
   SurfaceArguments surface;       ///< without one, only the figures that need no surface are measured
   std::optional<double> epsilon;  ///< without it, edges are not compared with h0
+  std::optional<double> delta;    ///< with epsilon, for h, the size that was asked for; 0.3 if not given
   double floor = 0.5;             ///< voxels
+  bool metrics_of_use = false;    ///< of a results folder; a mesh file is measured by all metrics
   bool json = false;
 };
 int measure_verb(const MeasureArguments& arguments, const CommonArguments& common);

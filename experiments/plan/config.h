@@ -85,10 +85,11 @@ struct Config {
   std::string title;
   std::vector<std::string> datasets;
   std::vector<std::uint64_t> seeds{1};
-  int repeats = 1;             ///< how often each run is made, for the spread of its seconds
-  bool timing = false;         ///< one run at a time, whatever --jobs says; the default where repeats > 1
-  bool artefacts = false;      ///< runs also keep medial axis, sizing and particles, as VTP points
-  double min_component = 0.0;  ///< mm³: components of F = c that enclose less are left out of every mesh
+  int repeats = 1;              ///< how often each run is made, for the spread of its seconds
+  bool timing = false;          ///< one run at a time, whatever --jobs says; the default where repeats > 1
+  bool artefacts = false;       ///< runs also keep medial axis, sizing and particles, as VTP points
+  bool metrics_of_use = false;  ///< runs are also measured by the metrics that take seconds (When::on_request)
+  double min_component = 0.0;   ///< mm³: components of F = c that enclose less are left out of every mesh
   Sampling sampling;
   std::vector<Override> overrides;
   std::vector<Variation> variations;
@@ -128,7 +129,7 @@ Sampling variation_sampling(const Variation& variation, const ParameterValue& va
 /// write for the published figures.
 std::string to_toml(const Config& config, const std::string& published);
 /// A text that is equal for two configs if and only if they have the same runs and so may share a results folder.
-/// Title, limits, labels, artefacts and published figures make no difference.
+/// Title, limits, labels, artefacts, metrics of use and published figures make no difference.
 std::string identity(const Config& config);
 
 }  // namespace isobench

@@ -100,8 +100,8 @@ std::filesystem::path read_published_path(const TomlValue& table, const std::fil
 Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   const TomlValue document = TomlValue::parse_file(path);
   document.allow_keys(
-      {"title", "dataset", "seed", "repeats", "timing", "artefacts", "min_component", "match", "match_to", "sampling",
-       "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
+      {"title", "dataset", "seed", "repeats", "timing", "artefacts", "metrics_of_use", "min_component", "match",
+       "match_to", "sampling", "override", "vary", "method", "also", "limits", "reference", "published", "quick"},
       "an experiment");
   if (variant != ConfigVariant::stored) refuse_reference(document);
   Config config;
@@ -120,6 +120,7 @@ Config read_config(const std::filesystem::path& path, ConfigVariant variant) {
   config.timing = config.repeats > 1;
   if (const auto timing = document.find("timing")) config.timing = timing->as_bool();
   if (const auto artefacts = document.find("artefacts")) config.artefacts = artefacts->as_bool();
+  if (const auto use = document.find("metrics_of_use")) config.metrics_of_use = use->as_bool();
   if (const auto least = document.find("min_component")) config.min_component = positive(*least, "min_component");
   config.sampling = read_sampling(document.require("sampling"));
   check_kind(config.sampling);

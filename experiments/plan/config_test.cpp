@@ -322,6 +322,18 @@ TEST(Config, ArtefactsAreNoPartOfTheIdentity) {
   EXPECT_EQ(identity(asking), identity(read(plain)));
 }
 
+TEST(Config, MetricsOfUseAreMeasuredIfTheConfigAsksForThem) {
+  const Config asking = read(std::string("metrics_of_use = true\n") + plain);
+  for (const RunRequest& request : make_plan(asking)) EXPECT_TRUE(request.metrics_of_use);
+  for (const RunRequest& request : make_plan(read(plain))) EXPECT_FALSE(request.metrics_of_use);
+  EXPECT_TRUE(read(to_toml(asking, "")).metrics_of_use);
+  // They change no result that was there, so that both have the same runs and share a folder.
+  EXPECT_EQ(identity(asking), identity(read(plain)));
+  EXPECT_EQ(make_plan(asking).front().run, make_plan(read(plain)).front().run);
+  expect_mistake(std::string("metrics_of_use = 1\n") + plain, {"config.toml:1:", "metrics_of_use"});
+  expect_mistake(std::string("metric_of_use = true\n") + plain, {"config.toml:1:", "'metrics_of_use'"});
+}
+
 TEST(Config, ComponentsBelowAVolumeMayBeLeftOut) {
   const Config config = read(std::string("min_component = 2.5\n") + plain);
   EXPECT_EQ(config.min_component, 2.5);

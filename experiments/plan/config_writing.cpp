@@ -128,6 +128,7 @@ std::string to_toml(const Config& config, const std::string& published) {
   if (config.timing != (config.repeats > 1)) text += fmt::format("timing = {}\n", config.timing);
   if (config.match) text += "match = \"vertices\"\nmatch_to = " + toml(config.match->to) + "\n";
   if (config.artefacts) text += "artefacts = true\n";
+  if (config.metrics_of_use) text += "metrics_of_use = true\n";
   if (config.min_component > 0.0) text += fmt::format("min_component = {}\n", toml(config.min_component));
   text += block("[sampling]", sampling_lines(config.sampling));
   for (const Override& change : config.overrides) text += override_block(change);
@@ -144,6 +145,7 @@ std::string identity(const Config& config) {
   plain.title.clear();
   plain.limits = {};
   plain.artefacts = false;
+  plain.metrics_of_use = false;
   plain.published.reset();
   for (Override& change : plain.overrides) {
     change.limits = {};

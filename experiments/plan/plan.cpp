@@ -184,6 +184,7 @@ std::vector<RunRequest> runs_of(const Config& config, const PlannedDataset& data
   request.metrics_revision = metrics_revision;
   request.alone = config.timing;
   request.artefacts = artefacts;
+  request.metrics_of_use = config.metrics_of_use;
   request.min_component = config.min_component;
   request.limit_minutes = limits.minutes;
   request.limit_memory_gb = limits.memory_gb;
@@ -268,6 +269,7 @@ void add_aside(const Config& config, const Aside& aside, Seen& seen, std::vector
   own.seeds = aside.seeds;
   own.sampling = aside.sampling;
   own.limits = config.limits;
+  own.metrics_of_use = config.metrics_of_use;
   own.min_component = config.min_component;
   for (const std::string& name : aside.datasets) {
     const PlannedDataset dataset = look_up(name);

@@ -155,7 +155,8 @@ TriangleMesh mesh_and_measure(const Dataset& dataset, const RunRequest& request,
     sizing = task.sizing_field(monitor);
     record.sizing = SizingRecord{sizing->uniform(), sizing->floor_length(), sizing->smallest(), sizing->largest()};
   }
-  record.measurement = measure(result, {dataset.surface.get(), sizing.get(), dataset.topology.get()}, monitor);
+  const MetricChoice choice = request.metrics_of_use ? MetricChoice::all : MetricChoice::usual;
+  record.measurement = measure(result, {dataset.surface.get(), sizing.get(), dataset.topology.get()}, monitor, choice);
   return result;
 }
 

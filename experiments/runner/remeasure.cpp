@@ -72,16 +72,19 @@ void measure_again(RunRecord& record, TriangleMesh& mesh, Surfaces& surfaces, Mo
   }
   const SizingField& sizing = surfaces.field(request, monitor);
   TriangleMesh local = to_local(mesh, dataset.surface->lattice());
-  record.measurement = measure(local, {dataset.surface.get(), &sizing, dataset.topology.get()}, monitor);
+  const MetricChoice choice = request.metrics_of_use ? MetricChoice::all : MetricChoice::usual;
+  record.measurement = measure(local, {dataset.surface.get(), &sizing, dataset.topology.get()}, monitor, choice);
   record.sizing = SizingRecord{sizing.uniform(), sizing.floor_length(), sizing.smallest(), sizing.largest()};
   record.measured_again = measured_now();
   mesh.vertex_data = std::move(local.vertex_data);
   mesh.triangle_data = std::move(local.triangle_data);
 }
 
-// The same run under the name that it has with the metrics of this program.
-RunRequest renamed(RunRequest request) {
+// The same run under the name that it has with the metrics of this program, and with the metrics of use if they are
+// wanted. A run that has them keeps them.
+RunRequest renamed(RunRequest request, MetricChoice choice) {
   request.metrics_revision = metrics_revision;
+  request.metrics_of_use = request.metrics_of_use || choice == MetricChoice::all;
   request.run = run_name(request);
   return request;
 }
@@ -95,7 +98,8 @@ void copy_others(const fs::path& from, const fs::path& to) {
 
 class Remeasuring {
  public:
-  Remeasuring(const fs::path& folder, Console& console) : store_(folder), console_(console) {}
+  Remeasuring(const fs::path& folder, MetricChoice choice, Console& console)
+      : store_(folder), choice_(choice), console_(console) {}
 
   void run(const RunRecord& record) {
     const std::string run = record.request.run;
@@ -117,7 +121,7 @@ class Remeasuring {
   bool replace(const RunRequest& planned) {
     ConsoleSink sink(console_);
     Monitor monitor(&sink);
-    const RunRequest request = renamed(planned);
+    const RunRequest request = renamed(planned, choice_);
     std::optional<Claim> claim = store_.claim(request);
     if (!claim) {
       console_.line(request.run + ": left to another process that is working on it");
@@ -127,8 +131,8 @@ class Remeasuring {
     RunRecord record =
         read_record(old / "run.json");  // read again: another process may have changed it before the claim
     TriangleMesh mesh = stored_mesh(old / "mesh.vtp", record);
-    measure_again(record, mesh, surfaces_, monitor);
     record.request = request;
+    measure_again(record, mesh, surfaces_, monitor);
     copy_others(old, claim->folder());
     write_mesh(mesh, claim->folder() / "mesh.vtp");
     write_record(record, claim->folder() / "run.json");
@@ -139,26 +143,27 @@ class Remeasuring {
   }
 
   Store store_;
+  MetricChoice choice_;
   Console& console_;
   Surfaces surfaces_;
 };
 
 }  // namespace
 
-RemeasureSummary remeasure(const fs::path& folder, Console& console) {
+RemeasureSummary remeasure(const fs::path& folder, MetricChoice choice, Console& console) {
   Results results = load_results(folder);
   std::stable_sort(results.records.begin(), results.records.end(), [](const RunRecord& a, const RunRecord& b) {
     const auto key = [](const RunRecord& r) { return std::pair(r.request.dataset, sizing_text(r.request.sizing)); };
     return key(a) < key(b);
   });
-  Remeasuring remeasuring(folder, console);
+  Remeasuring remeasuring(folder, choice, console);
   for (const RunRecord& record : results.records) remeasuring.run(record);
   for (const std::string& sentence : results.unreadable) console.line(sentence);
   remeasuring.summary.failed += static_cast<int>(results.unreadable.size());
   const FileLock lock = lock_results(folder);
   const fs::path plan_path = folder / "plan.json";
   std::vector<RunRequest> plan = plan_from_json(read_text(plan_path), plan_path.string());
-  std::transform(plan.begin(), plan.end(), plan.begin(), renamed);
+  for (RunRequest& request : plan) request = renamed(std::move(request), choice);
   write_text(plan_path, [&plan](std::ostream& file) { write_plan(file, plan); });
   console.clear();
   return remeasuring.summary;

@@ -170,9 +170,25 @@ TEST_F(Remeasure, AddsFiguresThatTheRecordDidNotKnow) {
   EXPECT_EQ(column("components_different"), (std::vector<std::string>{"0", "0"}));
 }
 
+TEST_F(Remeasure, AddsMetricsOfUseAndKeepsThem) {
+  EXPECT_FALSE(record(0).measurement->is_known(figure_index("step_factor")));
+  EXPECT_TRUE(record(0).measurement->is_known(figure_index("negative_weights")));
+  EXPECT_EQ(column("condition"), (std::vector<std::string>{"", ""}));
+  EXPECT_EQ(measure().code, 0);
+  EXPECT_FALSE(record(0).measurement->is_known(figure_index("step_factor"))) << "nobody asked for it";
+  EXPECT_EQ(measure({"--metrics-of-use"}).code, 0);
+  const double factor = record(0).measurement->number("step_factor");
+  EXPECT_GT(factor, 6.0);
+  EXPECT_EQ(std::stod(column("step_factor").at(0)), factor);
+  EXPECT_EQ(measure().code, 0);
+  EXPECT_EQ(record(0).measurement->number("step_factor"), factor);
+  EXPECT_NE(run_program(folder_.path(), {"run", "x.toml", "--dry-run"}).out.find(": 2 done"), std::string::npos);
+}
+
 TEST_F(Remeasure, OfAFolderTakesNoOptionsOfAFile) {
   EXPECT_EQ(measure({"--dataset", "sphere"}).code, 2);
   EXPECT_EQ(measure({"--json"}).code, 2);
+  EXPECT_EQ(measure({"--delta", "0.3"}).code, 2);
   EXPECT_EQ(measure({"--volume", "x.nrrd", "--isovalue", "1"}).code, 2);
   EXPECT_EQ(run_program(folder_.path(), {"measure", "results"}).code, 3);
 }

@@ -44,8 +44,8 @@ void flatten(const Json& json, const std::string& name, Leaves& leaves) {
 }
 
 // Parts of a request that do not determine the result.
-const std::vector<const char*> asked_besides = {"family",    "label",         "alone",          "aside",
-                                                "artefacts", "limit_minutes", "limit_memory_gb"};
+const std::vector<const char*> asked_besides = {"family",    "label",          "alone",         "aside",
+                                                "artefacts", "metrics_of_use", "limit_minutes", "limit_memory_gb"};
 
 // Figures have their bare names, as in results.csv. Most other names begin with a group: "counter particles/splits".
 Leaves result_of(const Json& record) {

@@ -107,6 +107,21 @@ TEST(Compare, FiguresThatAnOlderRecordDoesNotKnowAreNoDifference) {
   EXPECT_EQ(only(compare(open, two_runs())).a, "–");
 }
 
+TEST(Compare, FiguresThatOneSideDidNotAskForAreNoDifference) {
+  Results without = two_runs();
+  for (RunRecord& record : without.records) {
+    for (const char* figure : {"step_factor", "volume"}) record.measurement->set_unknown(figure_index(figure));
+  }
+  Results with = two_runs();
+  for (RunRecord& record : with.records) record.request.metrics_of_use = true;
+  EXPECT_TRUE(compare(without, with).same());
+  EXPECT_EQ(comparison_text(compare(without, with)),
+            "2 runs are the same on both sides, except for seconds and memory (other circumstances: metrics_of_use; -v "
+            "shows them).\n"
+            "A has no volume: its records are older than this figure. It is not compared.\n"
+            "A has no step_factor: its runs were made without metrics_of_use. It is not compared.\n");
+}
+
 TEST(Compare, NoToleranceExcusesAnotherTopology) {
   const Results a = two_runs();
   Results b = two_runs();

@@ -19,12 +19,25 @@ std::string circumstance_names(const Comparison& comparison) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// "A has no area, volume: its records are older than these figures. They are not compared.\n"; "" if both sides have
-// all figures.
+std::string not_compared(const char* side, const std::set<std::string>& figures, const std::string& reason) {
+  if (figures.empty()) return "";
+  return fmt::format("{} has no {}: {}. {} not compared.\n", side, fmt::join(figures, ", "), reason,
+                     figures.size() == 1 ? "It is" : "They are");
+}
+
+// "A has no area, volume: its records are older than these figures. They are not compared.\n", and the same of figures
+// that its experiment did not ask for; "" if both sides have all figures.
 std::string older_side(const char* side, const std::set<std::string>& unknown) {
-  if (unknown.empty()) return "";
-  return fmt::format("{} has no {}: its records are older than {}. {} not compared.\n", side, fmt::join(unknown, ", "),
-                     unknown.size() == 1 ? "this figure" : "these figures", unknown.size() == 1 ? "It is" : "They are");
+  std::set<std::string> older;
+  std::set<std::string> not_asked_for;
+  for (const std::string& figure : unknown) {
+    const bool on_request = metric_of_figure(figure_index(figure)).when == When::on_request;
+    (on_request ? not_asked_for : older).insert(figure);
+  }
+  return not_compared(side, older,
+                      older.size() == 1 ? "its records are older than this figure"
+                                        : "its records are older than these figures") +
+         not_compared(side, not_asked_for, "its runs were made without metrics_of_use");
 }
 
 std::string older_sides(const Comparison& comparison) {

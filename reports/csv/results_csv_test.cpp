@@ -34,7 +34,10 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "nonmanifold_vertices,self_intersections,distance_mean,distance_max,seconds_prepare,seconds_sizing,"
             "seconds_method,seconds_total,peak_memory_mb,repeat,mesh_checksum,match_to,match_vertices,match_reason,"
             "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume,"
-            "components_lost,components_joined,components_different,family,closed_manifold,right_topology,"
+            "components_lost,components_joined,components_different,condition,cg_iterations,negative_weights,"
+            "negative_weight_rows_percent,obtuse_percent,curvature_max,normal_angle_mean,normal_angle_max,poisson_max,"
+            "poisson_l2,gradient_max,step_factor,step_factor_consistent,vertex_area_min,vertex_area_max,"
+            "family,closed_manifold,right_topology,"
             "no_self_intersections,angles_35_90,angles_30_100,valences_5_7,no_edge_above_h0");
 }
 

@@ -51,6 +51,7 @@ Json request_to_json(const RunRequest& r) {
           {"repeat", r.repeat},
           {"alone", r.alone},
           {"artefacts", r.artefacts},
+          {"metrics_of_use", r.metrics_of_use},
           {"aside", r.aside},
           {"min_component", number(r.min_component)},
           {"metrics_revision", r.metrics_revision},
@@ -95,6 +96,7 @@ RunRequest request_from_json(const Json& json) {
   if (json.contains("repeat")) r.repeat = integer<int>(json.at("repeat"));  // older plans have none
   r.alone = json.value("alone", false);
   r.artefacts = json.value("artefacts", false);
+  r.metrics_of_use = json.value("metrics_of_use", false);  // older plans have none
   r.aside = json.value("aside", false);
   r.min_component = json.value("min_component", 0.0);  // older plans have none
   r.metrics_revision = integer<int>(json.at("metrics_revision"));

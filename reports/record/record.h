@@ -24,7 +24,7 @@ namespace isobench {
 using ParameterValues = std::map<std::string, ParameterValue>;
 
 /// What a run was asked to do: a cell of an experiment's plan. Everything except family, label, limits, `alone`,
-/// `artefacts` and `aside` determines its name.
+/// `artefacts`, `metrics_of_use` and `aside` determines its name.
 struct RunRequest {
   std::string run;  ///< name of its folder, e.g. "skull-particles-e0.5-d0.3-s1-1f2a9c3e"
   std::string dataset;
@@ -37,11 +37,12 @@ struct RunRequest {
   SizingRequest sizing;
   std::string match_to;  ///< the run whose number of vertices this one is matched to; "" if none
   std::uint64_t seed = 1;
-  int repeat = 1;              ///< number of the repeat; a run is repeated to measure its seconds again
-  bool alone = false;          ///< nothing else of its experiment runs at the same time, so that its seconds count
-  bool artefacts = false;      ///< also store the medial axis, the sizing and the particles
-  bool aside = false;          ///< for a plot of its own; the tables that compare leave it out
-  double min_component = 0.0;  ///< mm³: components of F = c that enclose less are left out
+  int repeat = 1;               ///< number of the repeat; a run is repeated to measure its seconds again
+  bool alone = false;           ///< nothing else of its experiment runs at the same time, so that its seconds count
+  bool artefacts = false;       ///< also store the medial axis, the sizing and the particles
+  bool metrics_of_use = false;  ///< also measure what takes seconds (When::on_request)
+  bool aside = false;           ///< for a plot of its own; the tables that compare leave it out
+  double min_component = 0.0;   ///< mm³: components of F = c that enclose less are left out
   int metrics_revision = 1;
   std::optional<double> limit_minutes;
   std::optional<double> limit_memory_gb;

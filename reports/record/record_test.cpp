@@ -72,9 +72,11 @@ TEST(Record, KeepsTheIsovalueAskedForAndWhatIsLeftOut) {
   RunRecord record = sample_record("skull", "particles");
   EXPECT_EQ(to_json(record).find("asked_isovalue"), std::string::npos) << "it is the one that was taken";
   record.request.min_component = 2.5;
+  record.request.metrics_of_use = true;
   record.dataset->asked_isovalue = 0.5;
   const RunRecord back = record_from_json(to_json(record), "test");
   EXPECT_EQ(back.request.min_component, 2.5);
+  EXPECT_TRUE(back.request.metrics_of_use);
   EXPECT_EQ(back.dataset->asked_isovalue, 0.5);
 }
 
@@ -88,7 +90,7 @@ TEST(Record, OfAnEarlierVersionDoesNotKnowLaterFigures) {
   json["figures"]["of_another_program"] = 3.0;
   json["figures"]["reference_k"] = 3;
   json["request"]["reference_k"] = 3;
-  json["request"].erase("min_component");
+  for (const char* later : {"min_component", "metrics_of_use"}) json["request"].erase(later);
   const RunRecord back = record_from_json(json.dump(), "test");
   EXPECT_FALSE(back.measurement->is_known(figure_index("area")));
   EXPECT_FALSE(back.measurement->is_known(figure_index("edge_over_own_h0_max")));

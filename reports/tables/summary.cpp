@@ -76,6 +76,35 @@ std::string distance_line(const Measurement& m) {
   return "mean " + value_text(m, "distance_mean", 4) + ", max " + value_text(m, "distance_max", 4);
 }
 
+/// A line of one metric's figures. None where nobody asked for them; the reason where `figure` was not measured.
+std::string line_of(const Measurement& m, const char* name, const char* figure, const std::string& text) {
+  if (!m.is_known(figure_index(figure))) return "";
+  return fmt::format("{:<14}{}\n", name, m.figure(figure) ? text : not_measured(m, figure));
+}
+
+/// What the mesh is worth to a simulation.
+std::string use_lines(const Measurement& m) {
+  const auto of = [&m](const char* figure) { return m.number(figure); };
+  return line_of(m, "weights", "negative_weights",
+                 fmt::format("{} negative, {:.3g} % of the triangles obtuse", of("negative_weights"),
+                             of("obtuse_percent"))) +
+         line_of(m, "vertex areas", "vertex_area_min",
+                 fmt::format("{:.3f} to {:.3f} of what was asked for", of("vertex_area_min"), of("vertex_area_max"))) +
+         line_of(m, "normals", "normal_angle_mean",
+                 fmt::format("mean {:.3g}°, max {:.3g}°", of("normal_angle_mean"), of("normal_angle_max"))) +
+         line_of(m, "curvature", "curvature_max",
+                 fmt::format("error {:.3g} of its root mean square", of("curvature_max"))) +
+         line_of(m, "time step", "step_factor",
+                 fmt::format("factor {:.4g}, with consistent mass {:.4g}", of("step_factor"),
+                             of("step_factor_consistent"))) +
+         line_of(m, "condition", "condition",
+                 fmt::format("{:.4g} L²/h², {} steps of conjugate gradients", of("condition"), of("cg_iterations"))) +
+         line_of(m, "Poisson", "poisson_max",
+                 fmt::format("largest error {:.3g}, root mean square {:.3g}", of("poisson_max"), of("poisson_l2"))) +
+         line_of(m, "gradient", "gradient_max",
+                 fmt::format("error {:.3g} of its root mean square", of("gradient_max")));
+}
+
 }  // namespace
 
 std::string summary_text(const Measurement& m) {
@@ -91,7 +120,7 @@ std::string summary_text(const Measurement& m) {
   text += fmt::format("area          {}\n", value_text(m, "area", 6));
   text += fmt::format("volume        {}\n", value_text(m, "volume", 6));
   text += fmt::format("distance      {}\n", distance_line(m));
-  return text;
+  return text + use_lines(m);
 }
 
 }  // namespace isobench

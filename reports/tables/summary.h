@@ -7,8 +7,8 @@
 
 namespace isobench {
 
-/// Some ten lines of "name  figures". A line whose figures were not measured says what they need: a surface, a sizing
-/// or another mesh.
+/// Some ten lines of "name  figures", more where metrics of use were measured. A line whose figures were not measured
+/// says what they need: a surface, a sizing or another mesh.
 std::string summary_text(const Measurement& measurement);
 
 }  // namespace isobench

@@ -155,6 +155,20 @@ TEST(Summary, SaysWhyTheSurfaceHasNoTopology) {
   EXPECT_NE(open.find("distance      mean 0.0125 mm"), std::string::npos) << open;
 }
 
+TEST(Summary, HasALineForFiguresThatWereAskedFor) {
+  Measurement measurement = *sample_record("skull", "particles").measurement;
+  measurement.set("step_factor", 12.25);
+  measurement.set("step_factor_consistent", 36.5);
+  measurement.set("condition", std::nullopt);
+  const std::string asked = summary_text(measurement);
+  EXPECT_NE(asked.find("time step     factor 12.25, with consistent mass 36.5\n"), std::string::npos) << asked;
+  EXPECT_NE(asked.find("condition     not measured: a triangle of the mesh has no area"), std::string::npos) << asked;
+  for (const char* figure : {"step_factor", "condition"}) measurement.set_unknown(figure_index(figure));
+  const std::string unasked = summary_text(measurement);
+  EXPECT_EQ(unasked.find("time step"), std::string::npos) << unasked;
+  EXPECT_EQ(unasked.find("condition"), std::string::npos) << unasked;
+}
+
 TEST(Tables, EdgesAboveH0ComeWithTheBoundPrinted) {
   Results results = results_for_tables();
   results.records[2].measurement->set("edge_over_own_h0_exceed_triangle_percent", 0.002);
