@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "isobench/methods/mesh/triangle_mesh.h"
-#include "isobench/metrics/mesh_edges.h"
+#include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 namespace isobench {
 

@@ -9,7 +9,7 @@
 
 #include "isobench/datasets/isosurface.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
-#include "isobench/metrics/mesh_edges.h"
+#include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 namespace isobench {
 

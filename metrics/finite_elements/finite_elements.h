@@ -13,7 +13,7 @@
 #include "isobench/methods/mesh/triangle_mesh.h"
 #include "isobench/methods/sizing/sizing_field.h"
 #include "isobench/metrics/finite_elements/sparse_matrix.h"
-#include "isobench/metrics/mesh_edges.h"
+#include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 namespace isobench {
 

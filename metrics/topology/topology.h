@@ -8,7 +8,7 @@
 
 #include "isobench/methods/mesh/triangle_mesh.h"
 #include "isobench/metrics/measurement.h"
-#include "isobench/metrics/mesh_edges.h"
+#include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 namespace isobench {
 

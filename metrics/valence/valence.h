@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "isobench/methods/mesh/triangle_mesh.h"
-#include "isobench/metrics/mesh_edges.h"
+#include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 namespace isobench {
 

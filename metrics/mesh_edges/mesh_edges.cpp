@@ -1,4 +1,4 @@
-#include "isobench/metrics/mesh_edges.h"
+#include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 #include <tbb/parallel_for.h>
 
