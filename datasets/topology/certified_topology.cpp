@@ -281,16 +281,19 @@ CertifiedTopology certified_topology(const Isosurface& surface, Monitor& monitor
   if (count_at(surface, value, margins, cut_at, monitor, result)) return result;
   // Either f takes the value at corners of boxes or touches their faces there, or it is a critical value. If a band
   // around it has no critical value, the surfaces of all values in the band have the same topology, and most of them
-  // avoid corners and faces.
+  // avoid corners and faces. Of the millions of boxes of a large rough surface, some always have a corner within a wide
+  // margin: for them the margin is that of rounding.
   for (const double width : {1e-6, 1e-8, 2.0 * same_value}) {
     const double band = width * range;
     result.singular = singular_boxes(surface, value - band, value + band, margins.difference, cut_at, monitor);
     if (!result.singular.empty()) continue;
-    const Margins narrow{0.01 * band, margins.difference};
-    for (const double part : {0.618, -0.618, 0.377, -0.377, 0.854, -0.854, 0.146, -0.146}) {
-      if (!count_at(surface, value + part * band, narrow, cut_at, monitor, result)) continue;
-      result.counted_at = part * band;
-      return result;
+    for (const double margin : {0.01 * band, margins.difference}) {
+      for (const double part : {0.618, -0.618, 0.377, -0.377, 0.854, -0.854, 0.146, -0.146}) {
+        const Margins narrow{margin, margins.difference};
+        if (!count_at(surface, value + part * band, narrow, cut_at, monitor, result)) continue;
+        result.counted_at = part * band;
+        return result;
+      }
     }
   }
   return result;

@@ -133,6 +133,17 @@ TEST(CertifiedTopologyOfAThousandSurfaces, IsTheSameFromAllSides) {
   RecordProperty("regular_masks", static_cast<int>(regular_masks));
 }
 
+// Of the millions of boxes of a large rough surface, hundreds have a corner with a value within same_value of c.
+TEST(CertifiedTopologyOfLargeNoise, IsProven) {
+  const FloatVolume field = noise(7, {96, 96, 96});
+  const CertifiedTopology found = topology_of(field, 0.5);
+  ASSERT_TRUE(found.is_regular);
+  EXPECT_NE(found.counted_at, 0.0);
+  const CertifiedTopology other = topology_of(field, 0.5, 0.5214);
+  EXPECT_EQ(other.euler, found.euler);
+  EXPECT_EQ(other.components.size(), found.components.size());
+}
+
 TEST(CertifiedTopology, DoesNotDependOnThreads) {
   const FloatVolume field = noise(5, {20, 20, 20});
   const CertifiedTopology many = topology_of(field, 0.5);
