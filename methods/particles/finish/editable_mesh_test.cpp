@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/particles/finish/submesh.h"
 
 namespace isobench::particles {
 namespace {
@@ -138,15 +139,31 @@ TEST(EditableMesh, FixesABorder) {
   for (Index v = 1; v < 5; ++v) EXPECT_TRUE(mesh.fixed(v));
 }
 
-TEST(EditableMesh, FixesAPinch) {
-  // Two tetrahedra that meet in vertex 0.
+/// Two tetrahedra that meet in vertex 0.
+EditableMesh pinch() {
   const std::vector<Eigen::Vector3d> points{{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
                                             {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
   const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2},
                                         {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {0, 5, 6}};
-  const EditableMesh mesh(points, points, triangles);
+  return {points, points, triangles};
+}
+
+TEST(EditableMesh, FixesAPinch) {
+  const EditableMesh mesh = pinch();
   EXPECT_TRUE(mesh.fixed(0));
   for (Index v = 1; v < 7; ++v) EXPECT_TRUE(mesh.movable(v));
+}
+
+// The submesh has one tetrahedron, in which vertex 0 has a single closed fan.
+TEST(Submesh, KeepsFixedVerticesFixed) {
+  EditableMesh mesh = pinch();
+  mesh.fix(2);
+  const std::vector<Index> centres{1};
+  const Submesh submesh = extract_submesh(mesh, centres, 2);
+  EXPECT_EQ(submesh.triangles.size(), 4U);
+  ASSERT_EQ(submesh.vertices.size(), 4U);
+  for (Index n = 0; n < 4; ++n)
+    EXPECT_EQ(submesh.mesh.fixed(n), submesh.vertices[n] == 0 || submesh.vertices[n] == 2) << submesh.vertices[n];
 }
 
 }  // namespace

@@ -48,7 +48,11 @@ Submesh extract_submesh(const EditableMesh& mesh, std::span<const Index> centres
         {index_in_submesh.at(corners[0]), index_in_submesh.at(corners[1]), index_in_submesh.at(corners[2])});
   }
   submesh.mesh = EditableMesh(std::move(points), std::move(normals), triangles);
-  for (Index n = 0; n < submesh.vertices.size(); ++n) submesh.mesh.set_valence(n, mesh.valence(submesh.vertices[n]));
+  for (Index n = 0; n < submesh.vertices.size(); ++n) {
+    submesh.mesh.set_valence(n, mesh.valence(submesh.vertices[n]));
+    // At a pinch, the submesh may show a single closed fan of several.
+    if (mesh.fixed(submesh.vertices[n])) submesh.mesh.fix(n);
+  }
   return submesh;
 }
 
