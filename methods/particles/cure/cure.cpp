@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "isobench/methods/mesh/component_match.h"
@@ -113,9 +114,21 @@ class Curing {
   }
 
   // Whether adding more is in vain. With derivatives that are not those of the values (Kernel::catmull_rom), defects
-  // may remain at any density, and their number would grow from round to round.
+  // may remain at any density, and their number would grow from round to round. Where particles were far too few, it
+  // grows as well, but not that of defects per particle.
   bool is_endless(const Findings& found) const {
-    return particles_.size() > most_particles_ || found.defects.all() > most_defects_;
+    constexpr int patience = 8;  // checks
+    return particles_.size() > most_particles_ ||
+           (found.defects.all() > most_defects_ && checks_without_progress_ >= patience);
+  }
+
+  void note_progress(const Findings& found) {
+    const double per_particle =
+        static_cast<double>(found.defects.all()) / static_cast<double>(std::max<std::size_t>(particles_.size(), 1));
+    ++checks_without_progress_;
+    if (per_particle >= least_per_particle_) return;
+    least_per_particle_ = per_particle;
+    checks_without_progress_ = 0;
   }
 
   std::vector<char> differing_components() const {
@@ -208,6 +221,7 @@ class Curing {
     }
     lost_components_ = lost_components(sized_.surface(), topology_, component_, has_facet_);
     found.defects.lost = lost_components_.size();
+    note_progress(found);
 
     unchecked_ = found.isolated;
     for (const std::uint32_t n : found.facets)
@@ -348,6 +362,8 @@ class Curing {
   std::vector<Eigen::Vector3d> relaxation_centres_;
   std::size_t most_particles_ = 0;
   std::size_t most_defects_ = 0;
+  double least_per_particle_ = std::numeric_limits<double>::infinity();  // defects
+  int checks_without_progress_ = 0;
   CureResult result_;
 };
 

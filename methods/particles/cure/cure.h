@@ -58,7 +58,8 @@ struct CureResult {
 /// At the end, the triangulation is compared with F = c component by component. If one differs, it gets particles at
 /// its smallest places (the deepest boxes of the proof), and the cure begins again, at most three times.
 ///
-/// The cure gives up once there are several particles for each box of the proof, or far more defects than before.
+/// The cure gives up once there are several particles for each box of the proof, or far more defects than before
+/// whose number per particle does not fall.
 ///
 /// The result does not depend on the number of threads. Cost: 1 µs a facet on all threads, and about 80 µs on one
 /// thread for each relaxed particle.

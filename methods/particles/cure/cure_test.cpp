@@ -150,25 +150,40 @@ TEST(ParticlesCure, DoesNotDependOnThreads) {
   EXPECT_EQ(meshes[0].triangles, meshes[1].triangles);
 }
 
-// The normals of this surface are not those of its values: at some places all facets are tilted, at any density.
-TEST(ParticlesCure, GivesUpWhereParticlesOnlyAddDefects) {
+/// Noise from −0.5 to 0.5, one node like the next, and −1 on the border.
+FloatVolume white_noise(int nodes) {
   FloatVolume noise;
-  noise.lattice.size = {14, 14, 14};
+  noise.lattice.size = {nodes, nodes, nodes};
   noise.samples.resize(noise.lattice.nodes(), -1.0F);
-  for (int k = 2; k < 12; ++k) {
-    for (int j = 2; j < 12; ++j) {
-      for (int i = 2; i < 12; ++i) {
+  for (int k = 2; k < nodes - 2; ++k) {
+    for (int j = 2; j < nodes - 2; ++j) {
+      for (int i = 2; i < nodes - 2; ++i) {
         const std::size_t n = noise.lattice.index(i, j, k);
         noise.samples[n] = static_cast<float>(uniform_random(1, n, 0) - 0.5);
       }
     }
   }
-  Case rough(noise, Kernel::catmull_rom, 0.5);
+  return noise;
+}
+
+// The normals of this surface are not those of its values: at some places all facets are tilted, at any density.
+TEST(ParticlesCure, GivesUpWhereParticlesOnlyAddDefects) {
+  Case rough(white_noise(14), Kernel::catmull_rom, 0.5);
   const std::size_t count = rough.all.size();
   const CureResult cured = rough.run();
   EXPECT_TRUE(cured.gave_up);
   EXPECT_LT(cured.rounds, 30);
   EXPECT_LT(rough.all.size(), 3 * count);
+}
+
+// The number of defects grows at first, because the first particles show next to nothing of the surface.
+TEST(ParticlesCure, DoesNotGiveUpWhereParticlesAreFarTooFew) {
+  Case intricate(white_noise(18), Kernel::bspline, 8.0);
+  const std::size_t count = intricate.all.size();
+  const CureResult cured = intricate.run(5, 8);
+  EXPECT_FALSE(cured.gave_up);
+  EXPECT_LT(cured.after.all(), intricate.all.size() / 50);
+  EXPECT_GT(intricate.all.size(), 10 * count);
 }
 
 }  // namespace
