@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "isobench/methods/mesh/component_match.h"
 #include "isobench/methods/particles/cure/dual_edge_crossings.h"
@@ -117,7 +118,7 @@ class Curing {
   // may remain at any density, and their number would grow from round to round. Where particles were far too few, it
   // grows as well, but not that of defects per particle.
   bool is_endless(const Findings& found) const {
-    constexpr int patience = 8;  // checks
+    constexpr int patience = 2;  // checks
     return particles_.size() > most_particles_ ||
            (found.defects.all() > most_defects_ && checks_without_progress_ >= patience);
   }
@@ -284,23 +285,41 @@ class Curing {
   void exchange(const Exchange& exchanged) {
     std::vector<char> is_removed(particles_.size(), 0);
     for (const std::uint32_t n : exchanged.removed) is_removed[n] = 1;
+    const Particles added = without_doubles(exchanged.added, is_removed);
     std::vector<std::uint32_t> new_index(particles_.size());
     std::transform_exclusive_scan(is_removed.begin(), is_removed.end(), new_index.begin(), 0U, std::plus<>(),
                                   [](char removed) { return removed != 0 ? 0U : 1U; });
     particles_.erase(is_removed);
     erase_marked(component_, is_removed);
     erase_marked(has_facet_, is_removed);
-    for (std::size_t n = 0; n < exchanged.added.size(); ++n) particles_.add(exchanged.added, n);
-    const std::vector<std::uint32_t> added_components = components_at(topology_, exchanged.added.points);
+    for (std::size_t n = 0; n < added.size(); ++n) particles_.add(added, n);
+    const std::vector<std::uint32_t> added_components = components_at(topology_, added.points);
     component_.insert(component_.end(), added_components.begin(), added_components.end());
     has_facet_.resize(particles_.size(), 1);
 
     std::erase_if(unchecked_, [&](std::uint32_t n) { return is_removed[n] != 0; });
     for (std::uint32_t& n : unchecked_) n = new_index[n];
-    const std::vector<std::uint32_t> changed = delaunay_.replace(exchanged.removed, exchanged.added.points);
+    const std::vector<std::uint32_t> changed = delaunay_.replace(exchanged.removed, added.points);
     unchecked_.insert(unchecked_.end(), changed.begin(), changed.end());
     std::sort(unchecked_.begin(), unchecked_.end());
     unchecked_.erase(std::unique(unchecked_.begin(), unchecked_.end()), unchecked_.end());
+  }
+
+  // The particles that lie where no other one lies or stays: a triangulation cannot have two at one place. Projections
+  // may end at the same point where the derivatives are not those of the values.
+  Particles without_doubles(const Particles& added, const std::vector<char>& is_removed) const {
+    const auto less = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    };
+    std::set<Eigen::Vector3d, decltype(less)> places(less);
+    Particles result;
+    std::uint32_t near = 0;
+    for (std::size_t n = 0; n < added.size(); ++n) {
+      near = delaunay_.nearest(added.points[n], near);
+      const bool is_taken = is_removed[near] == 0 && particles_.points[near] == added.points[n];
+      if (!is_taken && places.insert(added.points[n]).second) result.add(added, n);
+    }
+    return result;
   }
 
   // Proposes the points where a facet's dual edge crosses the surface.
