@@ -57,12 +57,14 @@ void check_shape(const RunRequest& request, const TriangleMesh& mesh, const Meas
 
 }  // namespace
 
+bool promises_mesh(const RunRequest& request) { return request.method == "particles" || request.method == "cvt"; }
+
 std::vector<std::string> broken_promises(const RunRequest& request, const TriangleMesh& mesh,
                                          const Measurement& measurement) {
   std::vector<std::string> broken;
   // A surface that leaves the volume is not measured, and nothing is promised of its mesh.
   if (!measurement.figure("euler_reference")) return broken;
-  if (request.method == "particles" || request.method == "cvt") check_topology(measurement, broken);
+  if (promises_mesh(request)) check_topology(measurement, broken);
   if (request.method == "particles") check_shape(request, mesh, measurement, broken);
   return broken;
 }

@@ -10,6 +10,9 @@
 
 namespace isobench {
 
+/// Whether the method meshes everything that is not refused before it begins. Others may fail, with a sentence.
+bool promises_mesh(const RunRequest& request);
+
 /// One entry for each broken promise, with the figures; empty if the mesh is as its method promises.
 std::vector<std::string> broken_promises(const RunRequest& request, const TriangleMesh& mesh,
                                          const Measurement& measurement);

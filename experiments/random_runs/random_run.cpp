@@ -116,6 +116,9 @@ RandomRunResult carry_out(const RandomRun& run, double most_vertices, const std:
     result.refusal = error.what();
   } catch (const Skipped& error) {
     result.refusal = error.what();
+  } catch (const Error& error) {
+    if (promises_mesh(run.request)) result.wrong.push_back(fmt::format("fails: {}", error.what()));
+    result.refusal = error.what();
   } catch (const std::exception& error) {
     result.wrong.push_back(fmt::format("is no refusal: {}", error.what()));
   }

@@ -65,8 +65,8 @@ TEST(RandomRunsLong, EndWithARightMeshOrASentence) {
   const bool one = std::getenv("ISOBENCH_RANDOM_SEED") != nullptr;
   const std::uint64_t first = number_of("ISOBENCH_RANDOM_SEED", 1000);
   const std::uint64_t runs = number_of("ISOBENCH_RANDOM_RUNS", one ? 1 : 200);
-  constexpr double most_vertices = 10000.0;
-  for (std::uint64_t seed = first; seed < first + runs; ++seed) tried(seed, most_vertices);
+  // Faults hide in small meshes as well as in large ones, and many small ones take the time of one that is large.
+  for (std::uint64_t seed = first; seed < first + runs; ++seed) tried(seed, seed % 10 == 0 ? 10000.0 : 2000.0);
 }
 
 TEST(RandomRuns, AreOfEveryKindForEveryMethod) {

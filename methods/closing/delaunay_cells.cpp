@@ -29,9 +29,7 @@ DelaunayCells delaunay_cells(const std::vector<Eigen::Vector3d>& points) {
     input.emplace_back(Kernel3::Point_3(points[n][0], points[n][1], points[n][2]), static_cast<std::uint32_t>(n));
   }
   Delaunay delaunay(input.begin(), input.end());
-  if (delaunay.dimension() < 3) {
-    throw Error("the points to triangulate lie in one plane; a closed surface needs points outside it");
-  }
+  if (delaunay.dimension() < 3) throw Error(too_flat);
   delaunay.infinite_vertex()->info() = DelaunayCells::infinite;
   std::uint32_t count = 0;
   for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles()) cell->info() = count++;

@@ -32,6 +32,10 @@ struct DelaunayCells {
   std::array<std::uint32_t, 3> facet(std::size_t cell, std::size_t facet) const;
 };
 
+/// What is said of points that span no tetrahedron.
+inline constexpr const char* too_flat =
+    "the points to triangulate lie in one plane, and a closed surface needs points outside it; ask for shorter edges";
+
 /// Triangulates distinct points (mm). Throws Error if they span no tetrahedron. The same points in the same order give
 /// the same cells. Cost: one Delaunay triangulation on one thread, about 10 µs a point; 600 bytes a point.
 DelaunayCells delaunay_cells(const std::vector<Eigen::Vector3d>& points);

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "isobench/foundation/error.h"
+#include "isobench/methods/closing/delaunay_cells.h"
 
 namespace isobench {
 
@@ -28,8 +29,6 @@ using CellBase =
     CGAL::Triangulation_cell_base_with_info_3<bool, Kernel3, CGAL::Delaunay_triangulation_cell_base_3<Kernel3>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel3, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Cell = Delaunay::Cell_handle;
-
-constexpr const char* too_flat = "the points to triangulate lie in one plane; a closed surface needs points outside it";
 
 Eigen::Vector3d to_eigen(const Kernel3::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
