@@ -5,7 +5,10 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "isobench/methods/isotropic-remeshing/remesh.h"
@@ -19,13 +22,26 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-Mesh to_cgal(const TriangleMesh& mesh) {
+// Gives points in the same cell of a fine grid the same coordinates. Marching cubes puts several vertices next to a
+// node whose sample is the isovalue but for rounding, and CGAL's relaxation crashes at a vertex that has only flat
+// triangles (CGAL's issue 7345).
+void join_close_points(std::vector<Point>& points, double distance) {
+  std::map<std::array<double, 3>, Point> first;
+  for (Point& p : points) {
+    const std::array<double, 3> cell{std::round(p.x() / distance), std::round(p.y() / distance),
+                                     std::round(p.z() / distance)};
+    p = first.try_emplace(cell, p).first->second;
+  }
+}
+
+Mesh to_cgal(const TriangleMesh& mesh, double smallest_distance) {
   std::vector<Point> points;
   points.reserve(mesh.vertices.size());
   for (const Eigen::Vector3d& x : mesh.vertices) points.emplace_back(x[0], x[1], x[2]);
   std::vector<std::vector<std::size_t>> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2]});
+  join_close_points(points, smallest_distance);
   pmp::merge_duplicate_points_in_polygon_soup(points, triangles);
   std::erase_if(triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   pmp::orient_polygon_soup(points, triangles);
@@ -56,7 +72,8 @@ TriangleMesh from_cgal(Mesh& mesh) {
 }  // namespace
 
 TriangleMesh remesh(const TriangleMesh& mesh, double edge_length, int iterations) {
-  Mesh work = to_cgal(mesh);
+  constexpr double negligible = 1e-7;
+  Mesh work = to_cgal(mesh, negligible * edge_length);
   pmp::isotropic_remeshing(work.faces(), edge_length, work,
                            CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations)));
   TriangleMesh result = from_cgal(work);

@@ -8,6 +8,7 @@
 #include "isobench/methods/isotropic-remeshing/remesh.h"
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
+#include "isobench/methods/testing/test_requests.h"
 
 namespace isobench {
 namespace {
@@ -52,7 +53,8 @@ TEST(IsotropicRemeshing, MeshesSphereTorusAndTwoBodies) {
   }
 }
 
-// A cube whose faces do not share their corners, and a triangle without area: corners are joined, the triangle dropped.
+// A cube whose faces do not share their corners, a triangle without area and an octahedron of the size of rounding, as
+// marching cubes makes it around a node: corners are joined, the others dropped.
 TEST(IsotropicRemeshing, JoinsCornersAtOnePlace) {
   TriangleMesh cube;
   const auto face = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
@@ -68,11 +70,25 @@ TEST(IsotropicRemeshing, JoinsCornersAtOnePlace) {
   face({0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0});
   face({1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1});
   cube.triangles.push_back({0, 8, 16});  // three corners at one point
+  constexpr double tiny = 4.5e-16;
+  const auto first = static_cast<std::uint32_t>(cube.vertices.size());
+  for (const double side : {-tiny, tiny}) {
+    for (int axis = 0; axis < 3; ++axis)
+      cube.vertices.emplace_back(Eigen::Vector3d(3, 3, 3) + side * Eigen::Vector3d::Unit(axis));
+  }
+  for (const Triangle& t :
+       {Triangle{3, 4, 5}, {4, 0, 5}, {0, 1, 5}, {1, 3, 5}, {4, 3, 2}, {0, 4, 2}, {1, 0, 2}, {3, 1, 2}})
+    cube.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   const TriangleMesh mesh = isotropic_remeshing::remesh(cube, 0.3, 3);
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 2);
   EXPECT_GT(facts.volume, 0.5);
+}
+
+TEST(IsotropicRemeshing, SkipsASurfaceBetweenNodes) {
+  for (const SizingRequest& request : {uniform(0.5), with_vertices(100)})
+    EXPECT_THROW(mesh_of(speck_between_nodes(), request), Skipped);
 }
 
 TEST(IsotropicRemeshing, SkipsAdaptiveSizingWithTheReason) {

@@ -12,7 +12,10 @@ namespace {
 class Remesher {
  public:
   Remesher(const MeshingTask& task, Monitor& monitor)
-      : task_(task), monitor_(monitor), lattice_mesh_(marching_cubes(task.surface, monitor)) {}
+      : task_(task), monitor_(monitor), lattice_mesh_(marching_cubes(task.surface, monitor)) {
+    if (lattice_mesh_.triangles.empty())
+      throw Skipped("isotropic-remeshing: there is nothing to remesh, because the surface lies between the nodes");
+  }
 
   TriangleMesh to_length(double edge_length) {
     monitor_.check();
@@ -61,8 +64,8 @@ TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
         "isotropic-remeshing: this method remeshes to one edge length everywhere; ask for edge_length or vertices "
         "instead of epsilon and delta");
   }
-  const double edge_length = task.sizing_field(monitor)->largest();
   Remesher remesher(task, monitor);
+  const double edge_length = task.sizing_field(monitor)->largest();
   const auto stage = monitor.stage("remeshing");
   TriangleMesh mesh =
       task.sizing.vertices ? remesher.to_number(edge_length, *task.sizing.vertices) : remesher.to_length(edge_length);

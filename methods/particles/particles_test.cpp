@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
 
@@ -27,6 +28,18 @@ TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, st
   const Method& particles = method("particles");
   Monitor monitor;
   return particles.mesh(MeshingTask(surface, request, Parameters(particles.parameters), seed), monitor);
+}
+
+TEST(Particles, MeshASpeckBetweenNodes) {
+  const Isosurface surface = speck_between_nodes();
+  ASSERT_TRUE(marching_cubes(surface, *std::make_unique<Monitor>()).triangles.empty());
+  for (const SizingRequest& request : {adaptive(0.5, 0.3), uniform(0.7)}) {
+    const MeshFacts facts = mesh_facts(mesh_of(surface, request));
+    EXPECT_EQ(facts.open_edges, 0U);
+    EXPECT_EQ(facts.components, 1U);
+    EXPECT_EQ(facts.euler, 2);
+  }
+  EXPECT_THROW(mesh_of(surface, with_vertices(100)), UsageError);
 }
 
 TEST(ParticlesSeeds, AreAsManyAsAskedOnTheSurfaceAndApart) {

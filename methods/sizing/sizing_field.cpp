@@ -199,11 +199,13 @@ double SizingField::h(const Eigen::Vector3d& x) const {
 }
 
 double SizingField::smallest() const {
-  return uniform() ? uniform_length_ : static_cast<double>(*std::min_element(h_.begin(), h_.end()));
+  if (uniform()) return uniform_length_;
+  return h_.empty() ? floor_ : static_cast<double>(*std::min_element(h_.begin(), h_.end()));
 }
 
 double SizingField::largest() const {
-  return uniform() ? uniform_length_ : static_cast<double>(*std::max_element(h_.begin(), h_.end()));
+  if (uniform()) return uniform_length_;
+  return h_.empty() ? floor_ : static_cast<double>(*std::max_element(h_.begin(), h_.end()));
 }
 
 double edge_length_for(double area, double vertices) { return std::sqrt(2.0 * area / (std::sqrt(3.0) * vertices)); }
@@ -216,8 +218,16 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
     const auto stage = monitor.stage("samples");
     return marching_cubes(surface, monitor);
   }();
+  if (request.vertices && lattice_mesh.vertices.empty())
+    throw UsageError("the surface lies between the nodes, so its area is not known; ask for edge_length, not vertices");
   if (request.vertices) return SizingField(edge_length_for(area_of(lattice_mesh), *request.vertices));
 
+  const double floor = request.floor * surface.voxel();
+  const auto band = std::make_shared<const Band>(surface, stages.nodes == SizingNodes::bounding ? 0 : 2);
+  if (lattice_mesh.vertices.empty()) {  // every feature is smaller than a voxel
+    const std::vector<float> h(band->size(), static_cast<float>(floor));
+    return {band, h, h, floor};
+  }
   const SurfaceSamples samples = [&] {
     const auto stage = monitor.stage("samples");
     return surface_samples(surface, lattice_mesh.vertices);
@@ -226,7 +236,6 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
     const auto stage = monitor.stage("axis");
     return feature_size_of(surface, samples, stages, monitor);
   }();
-  const auto band = std::make_shared<const Band>(surface, stages.nodes == SizingNodes::bounding ? 0 : 2);
   std::vector<float> h0 = [&] {
     const auto stage = monitor.stage("band");
     return initial_field(surface, *band, RadiusAt(surface, samples, feature_size, stages.nodes), request, monitor);
@@ -237,7 +246,7 @@ SizingField make_sizing_field(const Isosurface& surface, const SizingRequest& re
                              ? iterate_limit(*band, h0, *request.delta, published_stop, monitor)
                              : limit_gradient(*band, h0, *request.delta, monitor);
   show(*band, h0, h, monitor);
-  return {band, std::move(h0), std::move(h), request.floor * surface.voxel()};
+  return {band, std::move(h0), std::move(h), floor};
 }
 
 }  // namespace isobench
