@@ -15,9 +15,27 @@ namespace {
 
 using Index = EditableMesh::Index;
 
+/// h0 at every vertex, because each ends about six edges; empty if the sizing is uniform.
+std::vector<double> h0_at_vertices(const FinishContext& context, const EditableMesh& mesh) {
+  if (context.sizing.uniform()) return {};
+  std::vector<double> h0(mesh.vertex_count(), 0.0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, h0.size(), 1024), [&](const auto& range) {
+    for (std::size_t v = range.begin(); v < range.end(); ++v) {
+      if (mesh.alive(static_cast<Index>(v))) h0[v] = context.sizing.h0(mesh.points[v]);
+    }
+  });
+  return h0;
+}
+
 /// The movable vertices of each bad spot: a vertex with a bad valence, or the corners of a bad triangle.
 std::vector<std::vector<Index>> bad_spots(const FinishContext& context, const EditableMesh& mesh,
                                           const ShapeGoal& goal) {
+  const std::vector<double> h0 = h0_at_vertices(context, mesh);
+  const auto is_too_long = [&](Index e) {
+    const Index a = mesh.origin(e);
+    const Index b = mesh.target(e);
+    return edge_shortfall((mesh.points[a] - mesh.points[b]).norm() * 2.0 / (h0[a] + h0[b])) > 0.0;
+  };
   const std::size_t triangles = mesh.half_edge_count() / 3;
   std::vector<std::uint8_t> bad(triangles, 0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles, 1024), [&](const auto& range) {
@@ -25,8 +43,8 @@ std::vector<std::vector<Index>> bad_spots(const FinishContext& context, const Ed
       const auto t = static_cast<Index>(n);
       if (!mesh.triangle_alive(t)) continue;
       bool found = triangle_shortfall(mesh, mesh.triangle(t), goal) > 0.0;
-      for (Index e = 3 * t; e < 3 * t + 3 && !found; ++e)
-        found = is_first_of_edge(mesh, e) && edge_shortfall(context, mesh, e) > 0.0;
+      for (Index e = 3 * t; e < 3 * t + 3 && !found && !h0.empty(); ++e)
+        found = is_first_of_edge(mesh, e) && is_too_long(e);
       bad[n] = found ? 1 : 0;
     }
   });

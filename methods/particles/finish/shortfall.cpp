@@ -21,7 +21,7 @@ double triangle_shortfall(const EditableMesh& mesh, const Triangle& t, const Sha
   const double b = (mesh.points[t[2]] - mesh.points[t[0]]).norm();
   const double c = (mesh.points[t[0]] - mesh.points[t[1]]).norm();
   const double q = (b + c - a) * (c + a - b) * (a + b - c) / std::max(a * b * c, 1e-300);
-  if (q > 0.9) return 0.0;  // all angles are then within 39° to 83°
+  if (q > 0.905) return 0.0;  // all angles are then within 40° to 82°
   double low = std::min({a, b, c});
   double high = std::max({a, b, c});
   const double middle = a + b + c - low - high;
@@ -39,10 +39,14 @@ double valence_shortfall(const EditableMesh& mesh, Index v) {
   return away > 1.0 ? away - 1.0 : 0.0;
 }
 
+double edge_shortfall(double over_h0) {
+  const double over = over_h0 - 0.999;
+  return over > 0.0 ? base_shortfall + 20.0 * over : 0.0;
+}
+
 double edge_shortfall(const FinishContext& context, const EditableMesh& mesh, Index e) {
   if (context.sizing.uniform()) return 0.0;
-  const double over = edge_over_h0(context, mesh.points[mesh.origin(e)], mesh.points[mesh.target(e)]) - 0.999;
-  return over > 0.0 ? base_shortfall + 20.0 * over : 0.0;
+  return edge_shortfall(edge_over_h0(context, mesh.points[mesh.origin(e)], mesh.points[mesh.target(e)]));
 }
 
 bool is_first_of_edge(const EditableMesh& mesh, Index e) {

@@ -21,6 +21,8 @@ double shortfall(const FinishContext& context, const EditableMesh& mesh, const S
 double triangle_shortfall(const EditableMesh& mesh, const Triangle& t, const ShapeGoal& goal);
 double valence_shortfall(const EditableMesh& mesh, EditableMesh::Index v);
 double edge_shortfall(const FinishContext& context, const EditableMesh& mesh, EditableMesh::Index e);
+/// The same for an edge whose length over h0 is known.
+double edge_shortfall(double over_h0);
 
 /// True for one half-edge of each edge.
 bool is_first_of_edge(const EditableMesh& mesh, EditableMesh::Index e);
