@@ -100,7 +100,7 @@ void finish_of_the_mesh(benchmark::State& state) {
       relaxed().points, LabelledDelaunay(relaxed().points, surface(), monitor).triangles(), {}, {}};
   TriangleMesh mesh;
   for ([[maybe_unused]] auto _ : state) {
-    mesh = finish(surface(), field(), closed, 12, monitor);
+    mesh = finish(sized(), closed, {.rounds = 12}, monitor);
     benchmark::DoNotOptimize(mesh);
   }
   double least = 1.0;

@@ -26,13 +26,17 @@ EditableMesh editable(const Isosurface& surface, const TriangleMesh& mesh) {
   return {mesh.vertices, std::move(normals), mesh.triangles};
 }
 
-constexpr ShapeEnergy average_shape{0};  // Σ 1/Q³
 constexpr int sweeps_per_round = 2;
 constexpr int last_sweeps = 4;
 
 /// The searches become wider. The last ones are slow, but few spots are left for them.
 constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
+
+/// What the narrower searches try to reach first. Wide searches for it would take more time than it is worth.
+ShapeGoal strict_goal(const SizingField& sizing) { return {sizing.uniform() ? 0.88 : 0.87, 40.0, 84.0}; }
+constexpr std::size_t strict_searches = 6;
+constexpr double strict_share = 0.1;  // of the budget, at most
 
 /// The local searches at bad spots. Where edges are long against the features, bad spots crowd, and wide searches at
 /// all of them would take minutes. The budget bounds what is spent; other meshes need a small part of it.
@@ -48,21 +52,31 @@ class Tail {
   void improve() {
     const auto stage = monitor_.stage("tail");
     const double before = budget_.moves;
-    for (std::size_t n = 0; n < searches.size() && budget_.moves > 0.0; ++n) {
-      if (n > 0 && searches[n].rings > searches[n - 1].rings) repeat_while_dear(searches[n - 1], searches[n]);
-      search(searches[n]);
-    }
+    const double reserved = (1.0 - strict_share) * before;
+    budget_.moves -= reserved;
+    search_for(strict_goal(context_.sizing), strict_searches);
+    budget_.moves += reserved;
+    search_for(ShapeGoal{}, searches.size());
     monitor_.add("finish/searched moves", before - budget_.moves);
-    monitor_.set("finish/places left", static_cast<double>(count_bad_spots(context_, mesh_, ShapeGoal{})));
+    monitor_.set("finish/places left", static_cast<double>(count_bad_spots(context_, mesh_, goal_)));
   }
 
  private:
+  void search_for(const ShapeGoal& goal, std::size_t count) {
+    goal_ = goal;
+    for (std::size_t n = 0; n < count && budget_.moves > 0.0; ++n) {
+      if (count_bad_spots(context_, mesh_, goal_) == 0) return;
+      if (n > 0 && searches[n].rings > searches[n - 1].rings) repeat_while_dear(searches[n - 1], searches[n]);
+      search(searches[n]);
+    }
+  }
+
   /// A search may spend half of the budget, so that something is left for wider searches at the worst spots.
   std::size_t search(const SearchEffort& effort) {
     monitor_.check();
     SearchBudget half{0.5 * budget_.moves};
     budget_.moves -= half.moves;
-    const std::size_t improved = improve_bad_spots(context_, mesh_, ShapeGoal{}, effort, half);
+    const std::size_t improved = improve_bad_spots(context_, mesh_, goal_, effort, half);
     budget_.moves += half.moves;
     monitor_.trace("finish/places improved", static_cast<double>(improved));
     return improved;
@@ -73,7 +87,7 @@ class Tail {
   void repeat_while_dear(const SearchEffort& effort, const SearchEffort& wider) {
     constexpr int most_repeats = 20;
     for (int repeat = 0; repeat < most_repeats; ++repeat) {
-      if (expected_moves(context_, mesh_, ShapeGoal{}, wider) <= 0.25 * budget_.moves) return;
+      if (expected_moves(context_, mesh_, goal_, wider) <= 0.25 * budget_.moves) return;
       if (search(effort) == 0) return;
     }
   }
@@ -81,6 +95,7 @@ class Tail {
   const FinishContext& context_;
   EditableMesh& mesh_;
   Monitor& monitor_;
+  ShapeGoal goal_;
   SearchBudget budget_;
 };
 
@@ -94,12 +109,12 @@ void improve_everywhere(const FinishContext& context, EditableMesh& edited, int 
       monitor.add("finish/flipped", static_cast<double>(flip_for_valence(context, edited)));
     }
     const auto stage = monitor.stage("shape");
-    smooth(context, edited, average_shape, sweeps_per_round);
+    smooth(context, edited, context.energies.rounds, sweeps_per_round);
   }
   const auto stage = monitor.stage("shape");
-  smooth(context, edited, average_shape, last_sweeps);
+  smooth(context, edited, context.energies.rounds, last_sweeps);
   monitor.add("finish/flipped", static_cast<double>(flip_for_shape(context, edited)));
-  smooth(context, edited, ShapeEnergy{1}, last_sweeps);
+  smooth(context, edited, context.energies.last, last_sweeps);
 }
 
 using TrianglePair = std::array<std::uint32_t, 2>;
@@ -185,9 +200,12 @@ class Finishing {
 
 }  // namespace
 
-TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
+TriangleMesh finish(const SizedSurface& sized, const TriangleMesh& mesh, const FinishOptions& options,
                     Monitor& monitor) {
-  return Finishing({surface, sizing}, mesh, rounds, monitor).run();
+  const SizingField& sizing = sized.field();
+  const FinishContext context{sized.surface(), sizing, AskedAreas(sized, mesh),
+                              finish_energies(sizing, options.area_weight)};
+  return Finishing(context, mesh, options.rounds, monitor).run();
 }
 
 }  // namespace isobench::particles

@@ -1,18 +1,23 @@
 // The finish: improves the valences and the triangle shapes of a mesh, with vertices on F = c and edges not above h0.
 #pragma once
 
-#include "isobench/datasets/isosurface.h"
 #include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/triangle_mesh.h"
-#include "isobench/methods/sizing/sizing_field.h"
+#include "isobench/methods/particles/sampling/sized_surface.h"
 
 namespace isobench::particles {
 
-/// Each of the `rounds` changes connectivity by collapses, vertex splits and flips, which bring valences to 5–7, and
-/// then smooths the vertices (minimises Σ 1/Q³). After the rounds, local searches (bad_spots.h) improve the remaining
-/// bad spots: triangles, valences and edges that miss their goal. Vertices at borders and pinches stay where they are.
-/// The searches have a budget in proportion to the mesh; what they spend is counted as "finish/searched moves", and the
-/// spots that are left as "finish/places left".
+struct FinishOptions {
+  int rounds = 3;
+  double area_weight = 1.0;  ///< multiplies the weight of areas in the energy; 0: shapes alone
+};
+
+/// Each of the rounds changes connectivity by collapses, vertex splits and flips, which bring valences to 5–7, and
+/// then smooths the vertices: it minimises an energy of shapes and areas (shape_energy.h), so that triangles become
+/// equilateral and as large as the sizing asks (asked_areas.h). After the rounds, local searches (bad_spots.h) improve
+/// the remaining bad spots: triangles, valences and edges that miss their goal. Vertices at borders and pinches stay
+/// where they are. The searches have a budget in proportion to the mesh; what they spend is counted as "finish/searched
+/// moves", and the spots that are left as "finish/places left".
 ///
 /// With an adaptive sizing, edges above h0 are bad spots, and flips and collapses do not add any. With a uniform
 /// sizing, edge lengths are not checked. `mesh` samples F = c as densely as the sizing asks.
@@ -26,7 +31,7 @@ namespace isobench::particles {
 /// Stages "connectivity", "shape", "tail" and "intersections" of the monitor's current stage. The result does not
 /// depend on the number of threads. Cost: 10 to 25 µs of CPU time a vertex, on all threads; at most about 1 ms a
 /// vertex, and a few seconds, for a mesh with very many bad spots.
-TriangleMesh finish(const Isosurface& surface, const SizingField& sizing, const TriangleMesh& mesh, int rounds,
+TriangleMesh finish(const SizedSurface& sized, const TriangleMesh& mesh, const FinishOptions& options,
                     Monitor& monitor);
 
 }  // namespace isobench::particles

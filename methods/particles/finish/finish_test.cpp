@@ -26,7 +26,37 @@ struct Shape {
   double six = 0.0;  ///< share of vertices
   std::size_t outside = 0;
   double longest = 0.0;  ///< edge over h0
+  double least_angle = 180.0;
+  double largest_angle = 0.0;
+  double least_area = 1e300;  ///< around a vertex, over the mean at the same h
+  double largest_area = 0.0;
 };
+
+double degrees(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
+}
+
+void measure_areas(const TriangleMesh& mesh, const SizingField& sizing, Shape& shape) {
+  std::vector<double> area(mesh.vertices.size(), 0.0);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3d to_b = mesh.vertices[b] - mesh.vertices[a];
+    const Eigen::Vector3d to_c = mesh.vertices[c] - mesh.vertices[a];
+    for (const std::uint32_t v : {a, b, c}) area[v] += to_b.cross(to_c).norm() / 6.0;
+  }
+  double sum = 0.0;
+  double asked = 0.0;
+  for (std::size_t v = 0; v < area.size(); ++v) {
+    const double h = sizing.h(mesh.vertices[v]);
+    sum += area[v];
+    asked += h * h;
+  }
+  for (std::size_t v = 0; v < area.size(); ++v) {
+    const double h = sizing.h(mesh.vertices[v]);
+    const double share = area[v] / (h * h) * asked / sum;
+    shape.least_area = std::min(shape.least_area, share);
+    shape.largest_area = std::max(shape.largest_area, share);
+  }
+}
 
 Shape shape_of(const TriangleMesh& mesh, const SizingField& sizing) {
   Shape shape;
@@ -40,12 +70,16 @@ Shape shape_of(const TriangleMesh& mesh, const SizingField& sizing) {
       const Eigen::Vector3d& a = mesh.vertices[t[c]];
       const Eigen::Vector3d& b = mesh.vertices[t[(c + 1) % 3]];
       shape.longest = std::max(shape.longest, 2.0 * (a - b).norm() / (sizing.h0(a) + sizing.h0(b)));
+      const double angle = degrees(b - a, mesh.vertices[t[(c + 2) % 3]] - a);
+      shape.least_angle = std::min(shape.least_angle, angle);
+      shape.largest_angle = std::max(shape.largest_angle, angle);
     }
   }
   for (const int v : valence) {
     shape.six += v == 6 ? 1.0 / static_cast<double>(valence.size()) : 0.0;
     shape.outside += v < 5 || v > 7 ? 1 : 0;
   }
+  measure_areas(mesh, sizing, shape);
   return shape;
 }
 
@@ -55,11 +89,13 @@ struct Finished {
   double off = 0.0;  ///< voxels, the vertex farthest from F = c
 };
 
-Finished finished(const std::string& name, int nodes, const SizingRequest& request, int rounds = -1) {
+Finished finished(const std::string& name, int nodes, const SizingRequest& request, int rounds = -1,
+                  double area_weight = 1.0) {
   const Isosurface surface(sample_phantom(phantom(name), nodes), 0.0);
   const Method& particles = method("particles");
   Parameters parameters(particles.parameters);
   if (rounds >= 0) parameters.set(particles.parameters, "finish", static_cast<double>(rounds));
+  parameters.set(particles.parameters, "area_weight", area_weight);
   Monitor monitor;
   const MeshingTask task(surface, request, parameters, 1);
   Finished result{particles.mesh(task, monitor), {}, 0.0};
@@ -99,6 +135,23 @@ TEST(Finish, ReachesTheGoalAtUniformSize) {
     EXPECT_EQ(after.shape.outside, 0U) << name;
     EXPECT_NEAR(static_cast<double>(after.mesh.vertices.size()), 5000.0, 100.0) << name;
   }
+}
+
+// Smallest vertex areas decide the step of explicit time integration. With shapes alone they go down to 0.5.
+TEST(Finish, MakesAreasEven) {
+  const auto check = [](const char* name, const SizingRequest& request, double least, double largest) {
+    const Shape even = finished(name, 64, request).shape;
+    EXPECT_GE(even.least_area, least) << name;
+    EXPECT_LE(even.largest_area, largest) << name;
+    EXPECT_GE(even.least_angle, 42.0) << name;
+    EXPECT_LE(even.largest_angle, 82.0) << name;
+    const Shape shapes_alone = finished(name, 64, request, -1, 0.0).shape;
+    EXPECT_LT(shapes_alone.least_area, even.least_area - 0.05) << name;
+    EXPECT_GT(shapes_alone.mean_q, even.mean_q) << name;
+  };
+  check("sphere", with_vertices(5000), 0.65, 1.5);
+  check("torus", with_vertices(5000), 0.65, 1.5);
+  check("torus", adaptive(0.3, 0.3), 0.55, 1.8);
 }
 
 TEST(Finish, DoesNotDependOnThreads) {
@@ -172,8 +225,11 @@ double rolled_back(const Monitor& monitor) {
 TEST(Finish, RollsBackWhereSheetsWouldIntersect) {
   const HollowBall ball(0.25, 1.3);
   ASSERT_EQ(count_self_intersections(ball.mesh), 0U);
+  const SizingField sizing(3.0);
   Monitor monitor;
-  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
+  // Shapes alone: the given sizes are not even, and even areas would cost shape.
+  const TriangleMesh finished =
+      finish(SizedSurface(ball.surface, sizing), ball.mesh, {.rounds = 3, .area_weight = 0.0}, monitor);
   EXPECT_GT(rolled_back(monitor), 0.0) << "no intersections: the mesh does not test the rollback";
   EXPECT_EQ(count_self_intersections(finished), 0U);
   const MeshFacts facts = mesh_facts(finished);
@@ -197,8 +253,9 @@ TEST(Finish, KeepsIntersectionsOfTheGivenMesh) {
   const HollowBall ball(0.3, 1.2);
   const std::size_t given = count_self_intersections(ball.mesh);
   ASSERT_GT(given, 0U);
+  const SizingField sizing(3.0);
   Monitor monitor;
-  const TriangleMesh finished = finish(ball.surface, SizingField(3.0), ball.mesh, 3, monitor);
+  const TriangleMesh finished = finish(SizedSurface(ball.surface, sizing), ball.mesh, {}, monitor);
   EXPECT_LE(count_self_intersections(finished), given);
   EXPECT_NE(finished.vertices, ball.mesh.vertices)
       << "intersections in one place must not prevent the finish elsewhere";
@@ -206,7 +263,7 @@ TEST(Finish, KeepsIntersectionsOfTheGivenMesh) {
 
 class FinishLocalSearch : public testing::Test {
  protected:
-  FinishLocalSearch() : surface_(sample_phantom(phantom("sphere"), 32), 0.0), sizing_(0.25) {
+  FinishLocalSearch() : surface_(sample_phantom(phantom("sphere"), 32), 0.0), sizing_(0.25), sized_(surface_, sizing_) {
     const Method& particles = method("particles");
     Monitor monitor;
     const TriangleMesh mesh =
@@ -216,8 +273,13 @@ class FinishLocalSearch : public testing::Test {
     mesh_ = EditableMesh(mesh.vertices, normals, mesh.triangles);
   }
 
+  FinishContext context() const {
+    return {surface_, sizing_, AskedAreas(sized_, mesh_.triangle_mesh()), finish_energies(sizing_)};
+  }
+
   Isosurface surface_;
   SizingField sizing_;
+  SizedSurface sized_;
   EditableMesh mesh_;
 };
 
@@ -237,7 +299,7 @@ TEST_F(FinishLocalSearch, LeavesTheMeshWithoutAChange) {
 
 // Splitting an edge creates a vertex of valence 4, which the search must remove.
 TEST_F(FinishLocalSearch, ImprovesABadSpot) {
-  const FinishContext context{surface_, sizing_};
+  const FinishContext context = this->context();
   ASSERT_EQ(shortfall(context, mesh_, ShapeGoal{}), 0.0);
   ASSERT_NE(split_edge_at_middle(context, mesh_, 100), EditableMesh::none);
   ASSERT_GT(shortfall(context, mesh_, ShapeGoal{}), 1.0);
@@ -251,7 +313,7 @@ TEST_F(FinishLocalSearch, ImprovesABadSpot) {
 
 // Two vertices of valence 4, far apart; one has a sliver as well.
 TEST_F(FinishLocalSearch, MendsTheWorstSpotsFirstIfTheBudgetIsSmall) {
-  const FinishContext context{surface_, sizing_};
+  const FinishContext context = this->context();
   const auto valences = [this] {
     std::size_t bad = 0;
     for (EditableMesh::Index v = 0; v < mesh_.vertex_count(); ++v)

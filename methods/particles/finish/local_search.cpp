@@ -18,7 +18,6 @@ namespace {
 
 using Index = EditableMesh::Index;
 
-constexpr ShapeEnergy tail_shape{2};
 constexpr int quick_sweeps = 6;
 constexpr int thorough_sweeps = 25;
 
@@ -94,7 +93,7 @@ bool apply(const FinishContext& context, EditableMesh& mesh, const Change& chang
 double smooth_all(const FinishContext& context, EditableMesh& mesh, int sweeps) {
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), Index{0});
-  return static_cast<double>(smooth(context, mesh, tail_shape, sweeps, all));
+  return static_cast<double>(smooth(context, mesh, context.energies.rounds, sweeps, all));
 }
 
 struct State {

@@ -3,19 +3,57 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace isobench::particles {
 
 namespace {
 
-constexpr double floor_q = 1e-4;  // Q is taken to be at least this, so that the energy stays finite
+// The area is taken to be at least this share of Σ l², so that the energy stays finite.
+constexpr double least_area = 5e-5;
 
-/// (1/Q)^p.
-double raise(ShapeEnergy energy, double inverse_q) {
-  double f = inverse_q * inverse_q * inverse_q;
-  for (int k = 0; k < energy.doublings; ++k) f *= f;
-  return f;
+/// x to the power of two that has `doublings` factors of two.
+double raise(double x, int doublings) {
+  for (int k = 0; k < doublings; ++k) x *= x;
+  return x;
 }
+
+/// A triangle between the vertex at x and two of its neighbours, b and c.
+struct Corner {
+  Eigen::Vector3d to_b;
+  Eigen::Vector3d to_c;
+  Eigen::Vector3d edge;     // from b to c
+  Eigen::Vector3d cross;    // to_b × to_c
+  double squares = 0.0;     // Σ l²
+  double length = 0.0;      // |cross|
+  double twice_area = 0.0;  // |cross|, but not less than the least area
+  double r = 0.0;
+  double a = 0.0;
+
+  Corner(const Ring& ring, std::size_t k, const Eigen::Vector3d& x)
+      : to_b(ring.points[k] - x), to_c(ring.points[k + 1] - x), edge(to_c - to_b), cross(to_b.cross(to_c)) {
+    squares = to_b.squaredNorm() + to_c.squaredNorm() + edge.squaredNorm();
+    length = cross.norm();
+    twice_area = std::max({length, 2.0 * least_area * squares, 1e-300});
+    r = squares / (2.0 * std::numbers::sqrt3 * twice_area);
+    a = twice_area * 1.5 / (ring.area + ring.areas[k] + ring.areas[k + 1]);
+  }
+};
+
+/// r^p, and the two terms of the area, each with its weight.
+struct Terms {
+  double shape = 0.0;
+  double large = 0.0;
+  double small = 0.0;
+
+  Terms(const ShapeEnergy& energy, const Corner& corner) : shape(raise(corner.r, energy.shape_doublings)) {
+    if (!(energy.area_weight > 0.0)) return;
+    const double power = raise(corner.a, energy.area_doublings);
+    large = energy.area_weight * power;
+    small = energy.area_weight / std::max(power, 1e-200);
+  }
+  double sum() const { return shape + large + small; }
+};
 
 }  // namespace
 
@@ -27,70 +65,43 @@ double radius_ratio(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
   return product > 0.0 ? 4.0 * (b - a).cross(c - a).squaredNorm() / product : 0.0;
 }
 
-EnergyJet shape_energy(ShapeEnergy energy, const Ring& ring, const Eigen::Vector3d& x, const Eigen::Vector3d& tangent_u,
-                       const Eigen::Vector3d& tangent_v) {
-  const double p = 3.0 * static_cast<double>(1 << energy.doublings);
+EnergyJet shape_energy(const ShapeEnergy& energy, const Ring& ring, const Eigen::Vector3d& x,
+                       const Eigen::Vector3d& tangent_u, const Eigen::Vector3d& tangent_v) {
+  const double p = static_cast<double>(1 << energy.shape_doublings);
+  const double q = static_cast<double>(1 << energy.area_doublings);
   EnergyJet jet;
-  // An edge from x: its length, and the gradient and Hessian of the length in the tangent plane.
-  struct Edge {
-    double length;
-    Eigen::Vector2d first;
-    Eigen::Matrix2d second;
-  };
-  std::array<Edge, Ring::most + 1> edges;
+  const auto in_plane = [&](const Eigen::Vector3d& v) { return Eigen::Vector2d(v.dot(tangent_u), v.dot(tangent_v)); };
   for (std::size_t k = 0; k < ring.size; ++k) {
-    const Eigen::Vector3d apart = x - ring.points[k];
-    const double length = std::max(apart.norm(), 1e-300);
-    const Eigen::Vector2d e(apart.dot(tangent_u) / length, apart.dot(tangent_v) / length);
-    edges[k] = {length, e, (Eigen::Matrix2d::Identity() - e * e.transpose()) / length};
-  }
-  edges[ring.size] = edges[0];
-  for (std::size_t k = 0; k < ring.size; ++k) {
-    const double a = (ring.points[k + 1] - ring.points[k]).norm();
-    const double b = edges[k].length;
-    const double c = edges[k + 1].length;
-    // Q = (b+c−a)(c+a−b)(a+b−c)/(abc); s, t and u are the inverses of the three factors.
-    const double tiny = floor_q * (a + b + c);
-    const double s = 1.0 / std::max(b + c - a, tiny);
-    const double t = 1.0 / std::max(c + a - b, tiny);
-    const double u = 1.0 / std::max(a + b - c, tiny);
-    const double f = raise(energy, a * b * c * s * t * u);
-    const double db = s - t + u - 1.0 / b;
-    const double dc = s + t - u - 1.0 / c;
-    const double dbb = -s * s - t * t - u * u + 1.0 / (b * b);
-    const double dcc = -s * s - t * t - u * u + 1.0 / (c * c);
-    const double dbc = -s * s + t * t + u * u;
-    // f = exp(−p ln Q), and ln Q depends on x through b and c.
-    const Eigen::Vector2d& eb = edges[k].first;
-    const Eigen::Vector2d& ec = edges[k + 1].first;
-    const Eigen::Vector2d log_first = db * eb + dc * ec;
-    const Eigen::Matrix2d mixed = eb * ec.transpose();
-    const Eigen::Matrix2d log_second = dbb * eb * eb.transpose() + dcc * ec * ec.transpose() +
-                                       dbc * (mixed + mixed.transpose()) + db * edges[k].second +
-                                       dc * edges[k + 1].second;
-    jet.value += f;
-    jet.gradient -= p * f * log_first;
-    jet.hessian += p * f * (p * log_first * log_first.transpose() - log_second);
+    const Corner corner(ring, k, x);
+    const Terms terms(energy, corner);
+    const Eigen::Vector3d normal = corner.cross / corner.twice_area;
+    // Derivatives of ln Σ l² and of ln A. Out of the triangle's plane, A has a second derivative as well.
+    const Eigen::Vector2d of_squares = in_plane(corner.to_b + corner.to_c) * (-2.0 / corner.squares);
+    const Eigen::Vector2d of_area = in_plane(normal.cross(corner.edge)) / corner.twice_area;
+    const Eigen::Vector2d out = in_plane(normal) * (corner.edge.norm() / corner.twice_area);
+    const Eigen::Matrix2d squares_second =
+        Eigen::Matrix2d::Identity() * (4.0 / corner.squares) - of_squares * of_squares.transpose();
+    const Eigen::Matrix2d area_first = of_area * of_area.transpose();
+    const Eigen::Matrix2d area_second = out * out.transpose() - area_first;
+    const Eigen::Vector2d of_r = of_squares - of_area;
+    const double balance = q * (terms.large - terms.small);
+    jet.value += terms.sum();
+    jet.gradient += p * terms.shape * of_r + balance * of_area;
+    jet.hessian += p * terms.shape * (p * of_r * of_r.transpose() + squares_second - area_second) +
+                   q * q * (terms.large + terms.small) * area_first + balance * area_second;
   }
   return jet;
 }
 
-FanState fan_state(ShapeEnergy energy, const Ring& ring, const Eigen::Vector3d& x, const Eigen::Vector3d& normal) {
+FanState fan_state(const ShapeEnergy& energy, const Ring& ring, const Eigen::Vector3d& x,
+                   const Eigen::Vector3d& normal) {
   FanState state;
-  Eigen::Vector3d to_b = ring.points[0] - x;
-  double b = to_b.norm();
   for (std::size_t k = 0; k < ring.size; ++k) {
-    const Eigen::Vector3d to_c = ring.points[k + 1] - x;
-    const double c = to_c.norm();
-    const double a = (ring.points[k + 1] - ring.points[k]).norm();
-    const Eigen::Vector3d across = to_b.cross(to_c);
-    const double square = across.squaredNorm();
-    const double inverse_q = (a + b + c) * a * b * c / std::max(4.0 * square, 1e-300);
-    state.energy += raise(energy, std::min(inverse_q, 1.0 / floor_q));
-    const double turned = std::min({across.dot(normal), across.dot(ring.normals[k]), across.dot(ring.normals[k + 1])});
-    state.least_cosine = std::min(state.least_cosine, square > 0.0 ? turned / std::sqrt(square) : -1.0);
-    to_b = to_c;
-    b = c;
+    const Corner corner(ring, k, x);
+    state.energy += Terms(energy, corner).sum();
+    const double turned =
+        std::min({corner.cross.dot(normal), corner.cross.dot(ring.normals[k]), corner.cross.dot(ring.normals[k + 1])});
+    state.least_cosine = std::min(state.least_cosine, corner.length > 0.0 ? turned / corner.length : -1.0);
   }
   return state;
 }

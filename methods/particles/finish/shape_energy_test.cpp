@@ -18,9 +18,12 @@ Ring uneven_ring(std::size_t size) {
     const double radius = 1.0 + 0.25 * std::sin(3.0 * static_cast<double>(k) + 1.0);
     ring.points[k] = {radius * std::cos(angle), radius * std::sin(angle), 0.1 * std::cos(2.0 * static_cast<double>(k))};
     ring.normals[k] = Eigen::Vector3d::UnitZ();
+    ring.areas[k] = 0.5 + 0.1 * std::cos(static_cast<double>(k));
   }
   ring.points[size] = ring.points[0];
   ring.normals[size] = ring.normals[0];
+  ring.areas[size] = ring.areas[0];
+  ring.area = 0.6;
   return ring;
 }
 
@@ -38,7 +41,7 @@ TEST(ShapeEnergy, HasTheDerivativesOfItsValue) {
   const Eigen::Vector3d x(0.11, -0.07, 0.05);
   constexpr double step = 1e-4;
   for (const int doublings : {0, 1, 2}) {
-    const ShapeEnergy energy{doublings};
+    const ShapeEnergy energy{doublings + 1, doublings, 0.7};
     for (const std::size_t size : {3U, 5U, 6U, 9U}) {
       const Ring ring = uneven_ring(size);
       const EnergyJet jet = shape_energy(energy, ring, x, u, v);
@@ -58,6 +61,44 @@ TEST(ShapeEnergy, HasTheDerivativesOfItsValue) {
       EXPECT_NEAR(jet.hessian(0, 1), uv, 100 * tolerance);
     }
   }
+}
+
+/// A regular hexagon of equilateral triangles with area 1, flat.
+Ring even_ring() {
+  Ring ring;
+  ring.size = 6;
+  const double edge = std::sqrt(4.0 / std::numbers::sqrt3);
+  for (std::size_t k = 0; k <= 6; ++k) {
+    const double angle = std::numbers::pi / 3.0 * static_cast<double>(k);
+    ring.points[k] = {edge * std::cos(angle), edge * std::sin(angle), 0.0};
+    ring.normals[k] = Eigen::Vector3d::UnitZ();
+    ring.areas[k] = 1.0;
+  }
+  return ring;
+}
+
+TEST(ShapeEnergy, IsLeastForEquilateralTrianglesOfTheAreasAsked) {
+  const ShapeEnergy energy{5, 4, 0.04};
+  const auto jet_of = [&](const Ring& ring, const Eigen::Vector3d& x) {
+    return shape_energy(energy, ring, x, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
+  };
+  Ring ring = even_ring();
+  const EnergyJet even = jet_of(ring, Eigen::Vector3d::Zero());
+  EXPECT_NEAR(even.value, 6.0 * (1.0 + 2.0 * 0.04), 1e-12);
+  EXPECT_NEAR(even.gradient.norm(), 0.0, 1e-12);
+  EXPECT_GT(jet_of(ring, {0.1, 0.0, 0.0}).value, even.value);
+  // Larger triangles asked for on the right: the vertex should move to the left, which makes those larger.
+  ring.areas[0] = ring.areas[6] = 1.5;
+  EXPECT_GT(jet_of(ring, Eigen::Vector3d::Zero()).gradient[0], 0.0);
+}
+
+TEST(ShapeEnergy, WithoutWeightDoesNotSeeAreas) {
+  const ShapeEnergy energy{5, 4, 0.0};
+  Ring ring = even_ring();
+  const auto value = [&] { return fan_state(energy, ring, {0.1, 0.2, 0.0}, Eigen::Vector3d::UnitZ()).energy; };
+  const double before = value();
+  ring.areas.fill(3.0);
+  EXPECT_EQ(value(), before);
 }
 
 TEST(NewtonStep, IsExactWhereTheHessianIsPositiveAndDescendsElsewhere) {

@@ -19,7 +19,8 @@ constexpr double largest_move = 0.3;
 
 }  // namespace
 
-bool gather_ring(const EditableMesh& mesh, Index v, Ring& ring) {
+bool gather_ring(const EditableMesh& mesh, const std::vector<double>& areas, Index v, Ring& ring) {
+  ring.area = areas[v];
   ring.size = 0;
   Index e = mesh.out(v);
   do {
@@ -27,17 +28,20 @@ bool gather_ring(const EditableMesh& mesh, Index v, Ring& ring) {
     const Index to = mesh.target(e);
     ring.points[ring.size] = mesh.points[to];
     ring.normals[ring.size] = mesh.normals[to];
+    ring.areas[ring.size] = areas[to];
     ++ring.size;
     e = mesh.turn(e);
   } while (e != mesh.out(v));
   ring.points[ring.size] = ring.points[0];
   ring.normals[ring.size] = ring.normals[0];
+  ring.areas[ring.size] = ring.areas[0];
   return true;
 }
 
-double improve_vertex(const FinishContext& context, EditableMesh& mesh, Index v, ShapeEnergy energy) {
+double improve_vertex(const FinishContext& context, EditableMesh& mesh, const std::vector<double>& areas, Index v,
+                      const ShapeEnergy& energy) {
   Ring ring;
-  if (!gather_ring(mesh, v, ring)) return 0.0;
+  if (!gather_ring(mesh, areas, v, ring)) return 0.0;
   const Eigen::Vector3d x = mesh.points[v];
   const Eigen::Vector3d n = mesh.normals[v];
   const Eigen::Vector3d u = n.unitOrthogonal();
@@ -94,8 +98,9 @@ std::vector<std::vector<Index>> colour(const EditableMesh& mesh) {
   return classes;
 }
 
-void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps) {
+void smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps) {
   const auto classes = colour(mesh);
+  const std::vector<double> areas = context.areas.at_vertices(mesh);
   std::vector<std::uint8_t> moved(mesh.vertex_count(), 1);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (const auto& independent : classes) {
@@ -107,21 +112,22 @@ void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy
             has_moved_nearby = moved[mesh.target(e)] != 0;
             if (e == mesh.out(v)) break;
           }
-          if (has_moved_nearby) moved[v] = improve_vertex(context, mesh, v, energy) > at_rest ? 1 : 0;
+          if (has_moved_nearby) moved[v] = improve_vertex(context, mesh, areas, v, energy) > at_rest ? 1 : 0;
         }
       });
     }
   }
 }
 
-std::size_t smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+std::size_t smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps,
                    std::span<const Index> vertices) {
+  const std::vector<double> areas = context.areas.at_vertices(mesh);
   std::size_t tried = 0;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double most = 0.0;
     for (const Index v : vertices) {
       if (!mesh.movable(v)) continue;
-      most = std::max(most, improve_vertex(context, mesh, v, energy));
+      most = std::max(most, improve_vertex(context, mesh, areas, v, energy));
       ++tried;
     }
     if (most < at_rest) break;

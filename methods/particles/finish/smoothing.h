@@ -19,22 +19,25 @@ constexpr double least_cosine = 0.5;
 /// be too strict at the sharpest ones.
 constexpr double least_cosine_uniform = 0.8;
 
-/// The neighbours of a movable vertex. Returns false, with an unusable ring, if there are more than Ring::most.
-bool gather_ring(const EditableMesh& mesh, EditableMesh::Index v, Ring& ring);
+/// The neighbours of a movable vertex; `areas` are those asked at the vertices of the mesh. Returns false, with an
+/// unusable ring, if there are more than Ring::most.
+bool gather_ring(const EditableMesh& mesh, const std::vector<double>& areas, EditableMesh::Index v, Ring& ring);
 
 /// Moves v by one Newton step on its shape energy in its tangent plane and one Newton step back to F = c. The step is
 /// shortened until the energy falls. Returns the length of the move, divided by the mean distance to the neighbours.
-double improve_vertex(const FinishContext& context, EditableMesh& mesh, EditableMesh::Index v, ShapeEnergy energy);
+double improve_vertex(const FinishContext& context, EditableMesh& mesh, const std::vector<double>& areas,
+                      EditableMesh::Index v, const ShapeEnergy& energy);
 
 /// The movable vertices in classes such that no two vertices of a class are neighbours.
 std::vector<std::vector<EditableMesh::Index>> colour(const EditableMesh& mesh);
 
 /// `sweeps` sweeps over all movable vertices, one class after another, each class in parallel. Skips a vertex if
-/// neither it nor a neighbour moved in its last turn. The result does not depend on the number of threads.
-void smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps);
+/// neither it nor a neighbour moved in its last turn. The areas asked are those at the start. The result does not
+/// depend on the number of threads.
+void smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps);
 
 /// The same for some vertices, in the order given and on one thread. Returns how often it tried to move one.
-std::size_t smooth(const FinishContext& context, EditableMesh& mesh, ShapeEnergy energy, int sweeps,
+std::size_t smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps,
                    std::span<const EditableMesh::Index> vertices);
 
 /// Projects all movable vertices to F = c, within 1e-6 voxel.

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "isobench/methods/particles/finish/shape_energy.h"
 #include "isobench/methods/particles/finish/smoothing.h"
 
 namespace isobench::particles {
@@ -68,6 +67,11 @@ std::optional<OnSurface> on_surface(const Isosurface& surface, const Vector3d& x
 }
 
 }  // namespace
+
+FinishEnergies finish_energies(const SizingField& sizing, double weight) {
+  if (!sizing.uniform()) return {{5, 4, 0.01 * weight}, {5, 4, 0.01 * weight}};
+  return {{5, 4, 0.04 * weight}, {5, 5, 6e-4 * weight}};
+}
 
 double edge_over_h0(const FinishContext& context, const Vector3d& a, const Vector3d& b) {
   return (a - b).norm() * 2.0 / (context.sizing.h0(a) + context.sizing.h0(b));

@@ -4,15 +4,28 @@
 #include <cstddef>
 
 #include "isobench/datasets/isosurface.h"
+#include "isobench/methods/particles/finish/asked_areas.h"
 #include "isobench/methods/particles/finish/editable_mesh.h"
+#include "isobench/methods/particles/finish/shape_energy.h"
 #include "isobench/methods/sizing/sizing_field.h"
 
 namespace isobench::particles {
 
-/// The surface on which the vertices of a mesh are, and the sizing that bounds its edges.
+/// The energies that smoothing minimises: in the rounds and in local searches, and in the last sweeps over the mesh.
+struct FinishEnergies {
+  ShapeEnergy rounds;
+  ShapeEnergy last;
+};
+/// Tuned in trials on the sphere, the torus and the real volumes. A gradation does not allow triangles that are both
+/// equilateral and of the areas asked for, so areas weigh less there. `weight` multiplies all weights of areas.
+FinishEnergies finish_energies(const SizingField& sizing, double weight = 1.0);
+
+/// The surface on which the vertices of a mesh are, the sizing that bounds its edges, and what smoothing aims at.
 struct FinishContext {
   const Isosurface& surface;
   const SizingField& sizing;
+  AskedAreas areas;
+  FinishEnergies energies;
 };
 
 /// The length of an edge divided by the mean of h0 at its ends.

@@ -22,6 +22,7 @@ class SizedSurface {
       : surface_(surface), field_(field), contraction_(contraction), bounds_(surface, delta) {}
 
   const Isosurface& surface() const { return surface_; }
+  const SizingField& field() const { return field_; }
   double contraction() const { return contraction_; }  ///< g
   const SizeBounds& bounds() const { return bounds_; }
 
