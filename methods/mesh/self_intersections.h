@@ -22,6 +22,11 @@ namespace isobench {
 /// 1 s per million triangles.
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh);
 
+/// The same, but only pairs with a triangle that is marked: `marked` has one entry for each triangle. Fast if the
+/// marked triangles are few and lie together: 30 ms per million triangles, and the time of those near them.
+std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh,
+                                                             const std::vector<std::uint8_t>& marked);
+
 inline std::size_t count_self_intersections(const TriangleMesh& mesh) { return self_intersections(mesh).size(); }
 
 }  // namespace isobench

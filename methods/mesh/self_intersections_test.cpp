@@ -116,6 +116,21 @@ TEST(SelfIntersections, AgreesWithCgalOnManifoldMeshes) {
   EXPECT_GT(count_self_intersections(shaken(sample_meshes::torus(40), 0.5)), 100U);
 }
 
+TEST(SelfIntersections, OfMarkedTrianglesAreThoseOfAllThatHaveOne) {
+  const TriangleMesh mesh = shaken(sample_meshes::torus(40), 0.2);
+  const std::vector<std::array<std::uint32_t, 2>> all = self_intersections(mesh);
+  ASSERT_GT(all.size(), 20U);
+  std::vector<std::uint8_t> marked(mesh.triangles.size(), 0);
+  EXPECT_TRUE(self_intersections(mesh, marked).empty());
+  for (std::size_t t = 0; t < marked.size(); t += 7) marked[t] = 1;
+  std::vector<std::array<std::uint32_t, 2>> expected = all;
+  std::erase_if(expected, [&](const auto& pair) { return marked[pair[0]] == 0 && marked[pair[1]] == 0; });
+  EXPECT_LT(expected.size(), all.size());
+  EXPECT_EQ(self_intersections(mesh, marked), expected);
+  std::fill(marked.begin(), marked.end(), 1);
+  EXPECT_EQ(self_intersections(mesh, marked), all);
+}
+
 TEST(SelfIntersections, AreTheSamePairsForAnyNumberOfThreads) {
   const TriangleMesh mesh = shaken(sample_meshes::torus(60), 0.2);
   const auto pairs = self_intersections(mesh);

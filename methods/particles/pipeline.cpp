@@ -51,7 +51,8 @@ TriangleMesh mesh_by_particles(const MeshingTask& task, Monitor& monitor) {
   }
   if (const int rounds = task.parameters.integer("finish"); rounds > 0) {
     const auto stage = monitor.stage("finish");
-    mesh = finish(sized, mesh, {rounds, task.parameters.number("area_weight")}, monitor);
+    const FinishOptions options{rounds, task.parameters.number("area_weight"), task.parameters.number("easing")};
+    mesh = finish(sized, mesh, options, monitor);
   }
   if (has_own_sizing(task)) store_own_h0(*field, mesh);
   return mesh;

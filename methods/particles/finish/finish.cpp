@@ -11,6 +11,7 @@
 
 #include "isobench/methods/mesh/self_intersections.h"
 #include "isobench/methods/particles/finish/bad_spots.h"
+#include "isobench/methods/particles/finish/easing/easing.h"
 #include "isobench/methods/particles/finish/smoothing.h"
 #include "isobench/methods/particles/finish/valence_edits.h"
 
@@ -33,10 +34,20 @@ constexpr int last_sweeps = 4;
 constexpr std::array<SearchEffort, 10> searches{
     {{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}, {5, 3, 4}, {5, 3, 4}, {6, 4, 4}, {6, 4, 4}, {7, 6, 8}, {8, 8, 12}}};
 
-/// What the narrower searches try to reach first. Wide searches for it would take more time than it is worth.
-ShapeGoal strict_goal(const SizingField& sizing) { return {sizing.uniform() ? 0.88 : 0.87, 40.0, 84.0}; }
-constexpr std::size_t strict_searches = 6;
-constexpr double strict_share = 0.1;  // of the budget, at most
+/// The least cosine of moves with a uniform sizing. There the surface may bend within the length of an edge, and
+/// smoothing would move vertices away from tips of the surface. An adaptive sizing is fine enough at tips, and this
+/// bound would be too strict at the sharpest ones; so it would be for the searches at single spots.
+constexpr double least_cosine_uniform = 0.8;
+
+/// What the searches try to reach first, with a part of the budget; angles in degrees. Projection to F = c, which
+/// follows, changes angles by some hundredths.
+ShapeGoal strict_goal(const SizingField& sizing) { return {sizing.uniform() ? 0.88 : 0.87, 40.1, 83.9}; }
+constexpr double strict_share = 0.1;
+
+/// What eased places must reach. With a uniform sizing there are few of them, and the others are better.
+ShapeGoal eased_goal(const SizingField& sizing) {
+  return sizing.uniform() ? ShapeGoal{0.895, 42.2, 81.8} : strict_goal(sizing);
+}
 
 /// The local searches at bad spots. Where edges are long against the features, bad spots crowd, and wide searches at
 /// all of them would take minutes. The budget bounds what is spent; other meshes need a small part of it.
@@ -54,17 +65,17 @@ class Tail {
     const double before = budget_.moves;
     const double reserved = (1.0 - strict_share) * before;
     budget_.moves -= reserved;
-    search_for(strict_goal(context_.sizing), strict_searches);
+    search_for(strict_goal(context_.sizing));
     budget_.moves += reserved;
-    search_for(ShapeGoal{}, searches.size());
+    search_for(ShapeGoal{});
     monitor_.add("finish/searched moves", before - budget_.moves);
     monitor_.set("finish/places left", static_cast<double>(count_bad_spots(context_, mesh_, goal_)));
   }
 
  private:
-  void search_for(const ShapeGoal& goal, std::size_t count) {
+  void search_for(const ShapeGoal& goal) {
     goal_ = goal;
-    for (std::size_t n = 0; n < count && budget_.moves > 0.0; ++n) {
+    for (std::size_t n = 0; n < searches.size() && budget_.moves > 0.0; ++n) {
       if (count_bad_spots(context_, mesh_, goal_) == 0) return;
       if (n > 0 && searches[n].rings > searches[n - 1].rings) repeat_while_dear(searches[n - 1], searches[n]);
       search(searches[n]);
@@ -119,12 +130,10 @@ void improve_everywhere(const FinishContext& context, EditableMesh& edited, int 
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-/// The intersecting pairs of triangles, without pairs in which all corners are untouched: those are taken to have
-/// intersected before the finish.
-std::vector<TrianglePair> new_intersections(const EditableMesh& edited, const std::vector<std::uint8_t>& untouched,
-                                            const TriangleMesh& finished) {
-  std::vector<TrianglePair> pairs = self_intersections(finished);
-  if (pairs.empty()) return pairs;
+/// Takes away the pairs in which all corners are untouched: those are taken to have intersected before the finish.
+void leave_out_untouched(const EditableMesh& edited, const std::vector<std::uint8_t>& untouched,
+                         const TriangleMesh& finished, std::vector<TrianglePair>& pairs) {
+  if (pairs.empty()) return;
   std::vector<std::uint8_t> is_untouched_vertex;
   for (EditableMesh::Index v = 0; v < edited.vertex_count(); ++v) {
     if (edited.alive(v)) is_untouched_vertex.push_back(v < untouched.size() ? untouched[v] : 0);
@@ -134,7 +143,31 @@ std::vector<TrianglePair> new_intersections(const EditableMesh& edited, const st
     return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return is_untouched_vertex[c] != 0; });
   };
   std::erase_if(pairs, [&](const TrianglePair& pair) { return is_untouched(pair[0]) && is_untouched(pair[1]); });
-  return pairs;
+}
+
+/// The vertices of a mesh that are new, or not where they were.
+std::vector<EditableMesh::Index> moved_vertices(const EditableMesh& before, const EditableMesh& after) {
+  std::vector<EditableMesh::Index> moved;
+  for (EditableMesh::Index v = 0; v < after.vertex_count(); ++v) {
+    if (!after.alive(v)) continue;
+    if (v >= before.vertex_count() || after.points[v] != before.points[v]) moved.push_back(v);
+  }
+  return moved;
+}
+
+/// Marks the triangles of after.triangle_mesh() that are new or have a corner that moved.
+std::vector<std::uint8_t> changed_triangles(const EditableMesh& before, const EditableMesh& after) {
+  std::vector<std::uint8_t> moved(after.vertex_count(), 0);
+  for (const EditableMesh::Index v : moved_vertices(before, after)) moved[v] = 1;
+  std::vector<std::uint8_t> changed;
+  for (EditableMesh::Index t = 0; 3 * t < after.half_edge_count(); ++t) {
+    if (!after.triangle_alive(t)) continue;
+    const Triangle corners = after.triangle(t);
+    const bool is_new = 3 * t >= before.half_edge_count() || before.triangle(t) != corners;
+    const bool has_moved = std::any_of(corners.begin(), corners.end(), [&](std::uint32_t c) { return moved[c] != 0; });
+    changed.push_back(is_new || has_moved ? 1 : 0);
+  }
+  return changed;
 }
 
 /// Marks the vertices of `mesh` within `reach` of the bounding box of a triangle of `other`.
@@ -156,8 +189,14 @@ double longest_edge(const TriangleMesh& mesh, std::uint32_t triangle) {
 /// The finish of one mesh. Attempts that end with new intersections are repeated from the start.
 class Finishing {
  public:
-  Finishing(const FinishContext& context, const TriangleMesh& mesh, int rounds, Monitor& monitor)
-      : context_(context), mesh_(mesh), rounds_(rounds), monitor_(monitor), untouched_(mesh.vertices.size(), 0) {}
+  Finishing(const FinishContext& context, const SizedSurface& sized, const TriangleMesh& mesh,
+            const FinishOptions& options, Monitor& monitor)
+      : context_(context),
+        sized_(sized),
+        mesh_(mesh),
+        options_(options),
+        monitor_(monitor),
+        untouched_(mesh.vertices.size(), 0) {}
 
   TriangleMesh run() {
     constexpr int attempts = 5;
@@ -166,22 +205,42 @@ class Finishing {
       for (EditableMesh::Index v = 0; v < untouched_.size(); ++v) {
         if (untouched_[v] != 0) edited.fix(v);
       }
-      improve_everywhere(context_, edited, rounds_, monitor_);
-      // Before the tail, too: it takes most of the time if the mesh is bad.
-      if (!is_free_of_new_intersections(edited, edited.triangle_mesh(), attempt)) continue;
-      Tail(context_, edited, std::exp2(-attempt), monitor_).improve();
+      improve_everywhere(context_, edited, options_.rounds, monitor_);
       project_all(context_.surface, edited);
-      TriangleMesh finished = edited.triangle_mesh();
-      if (is_free_of_new_intersections(edited, finished, attempt)) return finished;
+      // Before the searches, too: they take most of the time if the mesh is bad.
+      if (!is_free_of_new_intersections(edited, nullptr, attempt)) continue;
+      const EditableMesh before = edited;
+      improve_places(edited, std::exp2(-attempt));
+      project(context_.surface, edited, moved_vertices(before, edited));
+      if (is_free_of_new_intersections(edited, &before, attempt)) return edited.triangle_mesh();
     }
     return mesh_;
   }
 
  private:
-  /// If not, marks the vertices near the intersections as untouched.
-  bool is_free_of_new_intersections(const EditableMesh& edited, const TriangleMesh& finished, int attempt) {
+  /// `share` is that of the usual budgets.
+  void improve_places(EditableMesh& edited, double share) {
+    constexpr double moves_per_vertex = 2.5;
+    constexpr double least_moves = 1e5;
+    FinishContext at_places = context_;
+    at_places.least_cosine_of_moves = least_cosine;
+    Tail(at_places, edited, share, monitor_).improve();
+    const auto stage = monitor_.stage("easing");
+    SearchBudget budget{options_.easing * share *
+                        (least_moves + moves_per_vertex * static_cast<double>(edited.vertex_count()))};
+    const std::size_t eased = ease_bounds(at_places, sized_, edited, eased_goal(context_.sizing), budget);
+    monitor_.add("finish/bounds raised", static_cast<double>(eased));
+  }
+
+  /// If not, marks the vertices near the intersections as untouched. With `before`, a state without new intersections,
+  /// only triangles that have changed since are checked.
+  bool is_free_of_new_intersections(const EditableMesh& edited, const EditableMesh* before, int attempt) {
     const auto stage = monitor_.stage("intersections");
-    const std::vector<TrianglePair> intersections = new_intersections(edited, untouched_, finished);
+    const TriangleMesh finished = edited.triangle_mesh();
+    std::vector<TrianglePair> intersections = before == nullptr
+                                                  ? self_intersections(finished)
+                                                  : self_intersections(finished, changed_triangles(*before, edited));
+    leave_out_untouched(edited, untouched_, finished, intersections);
     if (intersections.empty()) return true;
     monitor_.add("finish/intersections rolled back", static_cast<double>(intersections.size()));
     std::set<std::uint32_t> triangles;
@@ -192,8 +251,9 @@ class Finishing {
   }
 
   const FinishContext context_;
+  const SizedSurface& sized_;
   const TriangleMesh& mesh_;
-  const int rounds_;
+  const FinishOptions options_;
   Monitor& monitor_;
   std::vector<std::uint8_t> untouched_;  // vertices of the given mesh that stay as they are
 };
@@ -204,8 +264,9 @@ TriangleMesh finish(const SizedSurface& sized, const TriangleMesh& mesh, const F
                     Monitor& monitor) {
   const SizingField& sizing = sized.field();
   const FinishContext context{sized.surface(), sizing, AskedAreas(sized, mesh),
-                              finish_energies(sizing, options.area_weight)};
-  return Finishing(context, mesh, options.rounds, monitor).run();
+                              finish_energies(sizing, options.area_weight),
+                              sizing.uniform() ? least_cosine_uniform : least_cosine};
+  return Finishing(context, sized, mesh, options, monitor).run();
 }
 
 }  // namespace isobench::particles

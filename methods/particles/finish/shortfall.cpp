@@ -21,7 +21,7 @@ double triangle_shortfall(const EditableMesh& mesh, const Triangle& t, const Sha
   const double b = (mesh.points[t[2]] - mesh.points[t[0]]).norm();
   const double c = (mesh.points[t[0]] - mesh.points[t[1]]).norm();
   const double q = (b + c - a) * (c + a - b) * (a + b - c) / std::max(a * b * c, 1e-300);
-  if (q > 0.905) return 0.0;  // all angles are then within 40° to 82°
+  if (q > 0.93) return 0.0;  // all angles are then within 42.5° to 79°
   double low = std::min({a, b, c});
   double high = std::max({a, b, c});
   const double middle = a + b + c - low - high;

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 namespace isobench::particles {
 
@@ -56,8 +58,7 @@ double improve_vertex(const FinishContext& context, EditableMesh& mesh, const st
   if (length > largest_move * scale) step *= largest_move * scale / length;
 
   const FanState before = fan_state(energy, ring, x, n);
-  const double allowed = context.sizing.uniform() ? least_cosine_uniform : least_cosine;
-  const double least = std::min(allowed, before.least_cosine);
+  const double least = std::min(context.least_cosine_of_moves, before.least_cosine);
   for (int attempt = 0; attempt < 4; ++attempt, step *= 0.35) {
     Eigen::Vector3d to = (x + step[0] * u + step[1] * w).cwiseMax(0.0).cwiseMin(context.surface.extent());
     const Jet at = context.surface.value_gradient(to);
@@ -98,6 +99,21 @@ std::vector<std::vector<Index>> colour(const EditableMesh& mesh) {
   return classes;
 }
 
+namespace {
+
+/// Whether the vertex or a neighbour has moved in its last turn.
+bool has_moved_nearby(const EditableMesh& mesh, const std::vector<std::uint8_t>& moved, Index v) {
+  if (moved[v] != 0) return true;
+  Index e = mesh.out(v);
+  do {
+    if (moved[mesh.target(e)] != 0) return true;
+    e = mesh.turn(e);
+  } while (e != mesh.out(v));
+  return false;
+}
+
+}  // namespace
+
 void smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps) {
   const auto classes = colour(mesh);
   const std::vector<double> areas = context.areas.at_vertices(mesh);
@@ -107,12 +123,8 @@ void smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy&
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, independent.size(), 256), [&](const auto& range) {
         for (std::size_t n = range.begin(); n < range.end(); ++n) {
           const Index v = independent[n];
-          bool has_moved_nearby = moved[v] != 0;
-          for (Index e = mesh.turn(mesh.out(v)); !has_moved_nearby; e = mesh.turn(e)) {
-            has_moved_nearby = moved[mesh.target(e)] != 0;
-            if (e == mesh.out(v)) break;
-          }
-          if (has_moved_nearby) moved[v] = improve_vertex(context, mesh, areas, v, energy) > at_rest ? 1 : 0;
+          if (has_moved_nearby(mesh, moved, v))
+            moved[v] = improve_vertex(context, mesh, areas, v, energy) > at_rest ? 1 : 0;
         }
       });
     }
@@ -122,23 +134,31 @@ void smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy&
 std::size_t smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps,
                    std::span<const Index> vertices) {
   const std::vector<double> areas = context.areas.at_vertices(mesh);
+  std::vector<std::uint8_t> moved(mesh.vertex_count(), 1);
   std::size_t tried = 0;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    double most = 0.0;
+    std::size_t moving = 0;
     for (const Index v : vertices) {
-      if (!mesh.movable(v)) continue;
-      most = std::max(most, improve_vertex(context, mesh, areas, v, energy));
+      if (!mesh.movable(v) || !has_moved_nearby(mesh, moved, v)) continue;
+      moved[v] = improve_vertex(context, mesh, areas, v, energy) > at_rest ? 1 : 0;
+      moving += moved[v];
       ++tried;
     }
-    if (most < at_rest) break;
+    if (moving == 0) break;
   }
   return tried;
 }
 
 void project_all(const Isosurface& surface, EditableMesh& mesh) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.vertex_count(), 512), [&](const auto& range) {
+  std::vector<Index> all(mesh.vertex_count());
+  std::iota(all.begin(), all.end(), Index{0});
+  project(surface, mesh, all);
+}
+
+void project(const Isosurface& surface, EditableMesh& mesh, std::span<const Index> vertices) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 512), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
-      const auto v = static_cast<Index>(n);
+      const Index v = vertices[n];
       if (!mesh.movable(v)) continue;
       const auto foot = surface.project(mesh.points[v]);
       if (foot) mesh.points[v] = *foot;

@@ -11,14 +11,6 @@
 
 namespace isobench::particles {
 
-/// Cosine of the largest angle allowed between a triangle and the normals of F at its corners, unless the angle was
-/// larger before.
-constexpr double least_cosine = 0.5;
-/// The same for moves with a uniform sizing. There the surface may bend within the length of an edge, and smoothing
-/// would move vertices away from tips of the surface. An adaptive sizing is fine enough at tips, and this bound would
-/// be too strict at the sharpest ones.
-constexpr double least_cosine_uniform = 0.8;
-
 /// The neighbours of a movable vertex; `areas` are those asked at the vertices of the mesh. Returns false, with an
 /// unusable ring, if there are more than Ring::most.
 bool gather_ring(const EditableMesh& mesh, const std::vector<double>& areas, EditableMesh::Index v, Ring& ring);
@@ -36,11 +28,14 @@ std::vector<std::vector<EditableMesh::Index>> colour(const EditableMesh& mesh);
 /// depend on the number of threads.
 void smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps);
 
-/// The same for some vertices, in the order given and on one thread. Returns how often it tried to move one.
+/// The same for some vertices, in the order given and on one thread, and no longer than they move. Returns how often it
+/// tried to move one.
 std::size_t smooth(const FinishContext& context, EditableMesh& mesh, const ShapeEnergy& energy, int sweeps,
                    std::span<const EditableMesh::Index> vertices);
 
 /// Projects all movable vertices to F = c, within 1e-6 voxel.
 void project_all(const Isosurface& surface, EditableMesh& mesh);
+/// The same for some vertices.
+void project(const Isosurface& surface, EditableMesh& mesh, std::span<const EditableMesh::Index> vertices);
 
 }  // namespace isobench::particles

@@ -151,24 +151,29 @@ std::size_t flip_for_shape(const FinishContext& context, EditableMesh& mesh) {
   return flips;
 }
 
+Index best_collapse(const FinishContext& context, const EditableMesh& mesh, Index v, double least_q) {
+  Index best = EditableMesh::none;
+  int best_defect = 0;
+  for (const Index e : out_edges(mesh, v)) {
+    if (!mesh.can_collapse(e) || !collapse_keeps_shape(context, mesh, e, least_q)) continue;
+    const int b = valence(mesh, mesh.target(e));
+    const int c = valence(mesh, mesh.apex(e));
+    const int d = valence(mesh, mesh.apex(mesh.twin(e)));
+    const int after =
+        defect(b + valence(mesh, v) - 4) - defect(b) + defect(c - 1) - defect(c) + defect(d - 1) - defect(d);
+    if (best != EditableMesh::none && after >= best_defect) continue;
+    best = e;
+    best_defect = after;
+  }
+  return best;
+}
+
 std::size_t collapse_low_valence(const FinishContext& context, EditableMesh& mesh) {
   constexpr double least_q = 0.3;
   std::size_t collapsed = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (!mesh.movable(v) || mesh.valence(v) > 4) continue;
-    Index best = EditableMesh::none;
-    int best_defect = 0;
-    for (const Index e : out_edges(mesh, v)) {
-      if (!mesh.can_collapse(e) || !collapse_keeps_shape(context, mesh, e, least_q)) continue;
-      const int b = valence(mesh, mesh.target(e));
-      const int c = valence(mesh, mesh.apex(e));
-      const int d = valence(mesh, mesh.apex(mesh.twin(e)));
-      const int after =
-          defect(b + valence(mesh, v) - 4) - defect(b) + defect(c - 1) - defect(c) + defect(d - 1) - defect(d);
-      if (best != EditableMesh::none && after >= best_defect) continue;
-      best = e;
-      best_defect = after;
-    }
+    const Index best = best_collapse(context, mesh, v, least_q);
     if (best == EditableMesh::none) continue;
     mesh.collapse(best);
     ++collapsed;

@@ -11,6 +11,10 @@
 
 namespace isobench::particles {
 
+/// Cosine of the largest angle allowed between a triangle and the normals of F at its corners, unless the angle was
+/// larger before.
+constexpr double least_cosine = 0.5;
+
 /// The energies that smoothing minimises: in the rounds and in local searches, and in the last sweeps over the mesh.
 struct FinishEnergies {
   ShapeEnergy rounds;
@@ -26,6 +30,7 @@ struct FinishContext {
   const SizingField& sizing;
   AskedAreas areas;
   FinishEnergies energies;
+  double least_cosine_of_moves = least_cosine;  ///< the same as least_cosine for moves of vertices
 };
 
 /// The length of an edge divided by the mean of h0 at its ends.
@@ -39,6 +44,11 @@ bool flip_keeps_shape(const FinishContext& context, const EditableMesh& mesh, Ed
 /// corners, and, with an adaptive sizing, no edge above h0.
 bool collapse_keeps_shape(const FinishContext& context, const EditableMesh& mesh, EditableMesh::Index e,
                           double least_q);
+
+/// Of the half-edges at a movable vertex whose collapse removes it and is acceptable, the one after which the valences
+/// are best; `none` if there is none.
+EditableMesh::Index best_collapse(const FinishContext& context, const EditableMesh& mesh, EditableMesh::Index v,
+                                  double least_q);
 
 /// The decrease of Σ (valence − 6)² when an edge is flipped.
 int flip_gain(const EditableMesh& mesh, EditableMesh::Index e);

@@ -130,20 +130,43 @@ void SizeBounds::visit_lists(const Vector3d& x, Visit&& visit) const {
   }
 }
 
+double SizeBounds::bound(std::size_t n, const Vector3d& x) const {
+  const SizeBound& bound = bounds_[n];
+  const double away = (x - bound.position).norm();
+  if (away > reach_of(bound)) return infinite;
+  const double out = std::max(0.0, away - bound.plateau);
+  const double beyond = std::max(0.0, out / bound.scale - 1.0);
+  return bound.h + delta_ * out + 0.125 * beyond * beyond * bound.scale;
+}
+
 double SizeBounds::bound(const Vector3d& x) const {
   double least = infinite;
   visit_lists(x, [&](const std::vector<std::uint32_t>& list) {
     for (const std::uint32_t n : list) {
-      const SizeBound& bound = bounds_[n];
-      if (bound.h >= least) return;
-      const double away = (x - bound.position).norm();
-      if (away > reach_of(bound)) continue;
-      const double out = std::max(0.0, away - bound.plateau);
-      const double beyond = std::max(0.0, out / bound.scale - 1.0);
-      least = std::min(least, bound.h + delta_ * out + 0.125 * beyond * beyond * bound.scale);
+      if (bounds_[n].h >= least) return;
+      least = std::min(least, bound(n, x));
     }
   });
   return least;
+}
+
+std::vector<std::uint32_t> SizeBounds::reaching(const Vector3d& x) const {
+  std::vector<std::uint32_t> found;
+  visit_lists(x, [&](const std::vector<std::uint32_t>& list) {
+    for (const std::uint32_t n : list) {
+      if ((x - bounds_[n].position).norm() <= reach_of(bounds_[n])) found.push_back(n);
+    }
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<std::uint32_t> SizeBounds::reaching(const Eigen::AlignedBox3d& box) const {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t n = 0; n < bounds_.size(); ++n) {
+    if (box.exteriorDistance(bounds_[n].position) <= reach_of(bounds_[n])) found.push_back(n);
+  }
+  return found;
 }
 
 double SizeBounds::scaled_distance(const Vector3d& x, std::size_t first) const {

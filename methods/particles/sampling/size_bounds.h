@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -33,11 +34,17 @@ class SizeBounds {
 
   std::size_t size() const { return bounds_.size(); }
   const SizeBound& at(std::size_t n) const { return bounds_[n]; }
+  /// The bound n on h at x, mm; infinite beyond its reach.
+  double bound(std::size_t n, const Eigen::Vector3d& x) const;
   /// The smallest bound on h at x, mm; infinite where there is none.
   double bound(const Eigen::Vector3d& x) const;
   /// The least distance from x to the position of a bound that reaches x, divided by that bound's scale. Only bounds
   /// with an index of at least `first` count. Infinite where none reaches x.
   double scaled_distance(const Eigen::Vector3d& x, std::size_t first) const;
+  /// The bounds that reach x, in order.
+  std::vector<std::uint32_t> reaching(const Eigen::Vector3d& x) const;
+  /// The bounds that reach a box, in order. Time is linear in the number of bounds.
+  std::vector<std::uint32_t> reaching(const Eigen::AlignedBox3d& box) const;
 
  private:
   /// Bounds of one order of magnitude, listed by bricks at least as wide as the farthest reach among them. Wide bricks

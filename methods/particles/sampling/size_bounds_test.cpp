@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -49,6 +50,20 @@ TEST_F(SizeBoundsTest, AnEdgeIsNotBelowTheLeast) {
   point.position = middle;
   point.distance = 0.001 * voxel;
   EXPECT_DOUBLE_EQ(critical_bounds({point}, 0.5, 0.02 * voxel, voxel).front().h, 0.02 * voxel);
+}
+
+TEST_F(SizeBoundsTest, SaysWhichBoundsReachAPointAndABox) {
+  const Vector3d aside = middle + Vector3d(6.0, 0.0, 0.0);
+  bounds.add({{middle, 0.7, 1.0, 1.0}, {aside, 0.5, 1.0, 1.0}});  // each reaches 5 mm
+  EXPECT_EQ(bounds.bound(1, aside), 0.5);
+  EXPECT_EQ(bounds.bound(0, aside), infinite);
+  EXPECT_EQ(bounds.reaching(middle), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(bounds.reaching(aside), std::vector<std::uint32_t>{1});
+  EXPECT_EQ(bounds.reaching(0.5 * (middle + aside)), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_TRUE(bounds.reaching(middle + Vector3d(0.0, 6.0, 0.0)).empty());
+  const auto box = [](const Vector3d& x) { return Eigen::AlignedBox3d(x, x + Vector3d::Ones()); };
+  EXPECT_EQ(bounds.reaching(box(middle + Vector3d(-5.9, 0.0, 0.0))), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(bounds.reaching(box(middle)), (std::vector<std::uint32_t>{0, 1}));
 }
 
 TEST_F(SizeBoundsTest, AroundAFlatPlaceTheBoundStaysAndThenRises) {
