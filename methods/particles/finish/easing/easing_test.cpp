@@ -10,6 +10,7 @@
 #include "isobench/methods/mesh/mesh_facts.h"
 #include "isobench/methods/method.h"
 #include "isobench/methods/particles/closing_stage.h"
+#include "isobench/methods/particles/finish/finish.h"
 #include "isobench/methods/particles/finish/shortfall.h"
 #include "isobench/methods/particles/sampling_stages.h"
 #include "isobench/methods/testing/test_requests.h"
