@@ -156,7 +156,7 @@ std::string published_of(const TableCell& cell, const Layout& layout) {
 std::string ours_of(const TableCell& cell, const Layout& layout) {
   if (!cell.figures.empty()) return figures_of(cell, layout);
   const bool only_published = cell.words.empty() && !cell.published.empty();
-  return only_published ? published_of(cell, layout) : words_of(cell.words + cell.mark, layout);
+  return only_published ? published_of(cell, layout) : words_of(cell.words_and_note() + cell.mark, layout);
 }
 
 std::string empty_columns(const Layout& layout) { return joined(Columns(layout.width())); }

@@ -14,6 +14,7 @@ namespace isobench {
 namespace {
 
 constexpr std::size_t most_open_rows = 60;  // longer tables are folded
+constexpr std::size_t most_roomy_columns = 12;
 
 // A cell is sorted by its first measured number. Without one, page.js takes the cell's text.
 std::string sort_key(const TableCell& cell) {
@@ -26,7 +27,9 @@ std::string sort_key(const TableCell& cell) {
 std::string cell_html(const TableCell& cell, bool label) {
   TableCell measured = cell;
   measured.published.clear();
+  measured.note.clear();
   std::string body = html_escaped(measured.text());
+  if (!cell.note.empty()) body += "<span class=\"note\">" + html_escaped(cell.note) + "</span>";
   if (!cell.published.empty()) {
     TableCell published;
     published.published = cell.published;
@@ -35,7 +38,7 @@ std::string cell_html(const TableCell& cell, bool label) {
         fmt::format("{}<span class=\"published\">{}</span>", body.empty() ? "" : " ", html_escaped(published.text()));
   }
   if (label) return fmt::format("<th scope=\"row\">{}</th>", body);
-  const char* kind = cell.figures.empty() ? "" : " class=\"number\"";
+  const char* kind = !cell.figures.empty() ? " class=\"number\"" : !cell.note.empty() ? " class=\"noted\"" : "";
   return fmt::format("<td{}{}>{}</td>", kind, sort_key(cell), body);
 }
 
@@ -49,6 +52,15 @@ std::string definitions_html(const Table& table) {
   }
   return text.empty() ? ""
                       : "<details><summary>Definitions of the figures</summary>\n<ul>\n" + text + "</ul></details>\n";
+}
+
+std::string classes_of(const Table& table) {
+  const bool rows_depend_on_order = std::any_of(table.rows.begin(), table.rows.end(), [](const TableRow& row) {
+    return row.empty() || row.front().text().empty();
+  });
+  const bool dense = table.header.size() > most_roomy_columns;
+  if (rows_depend_on_order) return dense ? "dense" : "";
+  return dense ? "sortable dense" : "sortable";
 }
 
 }  // namespace
@@ -105,13 +117,11 @@ std::string data_uri(const std::string& media_type, const std::string& bytes) {
 
 std::string html(const Table& table) {
   if (table.empty()) return "";
-  const bool rows_depend_on_order = std::any_of(table.rows.begin(), table.rows.end(), [](const TableRow& row) {
-    return row.empty() || row.front().text().empty();
-  });
   std::string text = "<h3>" + html_escaped(table.title) + "</h3>\n";
   const bool folded = table.rows.size() > most_open_rows;
   if (folded) text += fmt::format("<details><summary>{} rows</summary>\n", table.rows.size());
-  text += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", rows_depend_on_order ? "" : " class=\"sortable\"");
+  const std::string classes = classes_of(table);
+  text += "<div class=\"wide\"><table" + (classes.empty() ? "" : " class=\"" + classes + "\"") + ">\n<thead><tr>";
   for (const std::string& column : table.header) text += "<th scope=\"col\">" + html_escaped(column) + "</th>";
   text += "</tr></thead>\n<tbody>\n";
   for (const TableRow& row : table.rows) {

@@ -23,6 +23,8 @@ Runs finished(const Runs& runs) {
 
 bool is_closed_manifold(const RunRecord& run) { return run.measurement && is_closed_manifold(*run.measurement); }
 
+bool is_unmatched(const RunRecord& run) { return run.match && !run.match->reason.empty(); }
+
 Runs counted_runs(const Runs& runs) {
   Runs result = finished(runs);
   const auto is_open = [](const RunRecord* run) { return !is_closed_manifold(*run); };

@@ -16,6 +16,8 @@ using Runs = std::vector<const RunRecord*>;
 Runs finished(const Runs& runs);
 /// Whether the run's mesh is closed and manifold; false if there is no mesh.
 bool is_closed_manifold(const RunRecord& run);
+/// Whether the run should have another run's number of vertices but could not be given it.
+bool is_unmatched(const RunRecord& run);
 /// The runs that medians and averages are taken over: the finished runs with closed, manifold meshes or, if there is
 /// none, all finished runs. A mean over both kinds would describe neither.
 Runs counted_runs(const Runs& runs);

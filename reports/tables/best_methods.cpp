@@ -65,12 +65,6 @@ std::vector<Wins> wins_of_all(const RunGrid& runs) {
   return all;
 }
 
-TableCell figure_cell(double value, const Print& print) {
-  TableCell cell;
-  cell.figures.push_back({{value, value, value}, print});
-  return cell;
-}
-
 }  // namespace
 
 const std::vector<Question>& questions() {
@@ -177,14 +171,14 @@ Table methods_table(const RunGrid& runs) {
     std::erase_if(proven, [](const RunRecord* run) { return !run->measurement->figure("euler_reference"); });
     const auto is_right = [](const RunRecord& run) { return passes(check("right_topology"), run) == true; };
     row.push_back(proven.empty() ? TableCell("–") : share(proven, is_right));
-    row.push_back(figure_cell(smallest, to_significant(3)));
-    row.push_back(figure_cell(average, to_significant(3)));
-    row.push_back(figure_cell(six, to_significant(3)));
-    row.push_back(figure_cell(vertices, as_number()));
+    row.push_back(number_cell(smallest, to_significant(3)));
+    row.push_back(number_cell(average, to_significant(3)));
+    row.push_back(number_cell(six, to_significant(3)));
+    row.push_back(number_cell(vertices, as_number()));
     // A sum without some of the runs would be too small.
     const bool alike = runs_with_timing(done, runs.timing).size() == done.size();
-    row.push_back(alike ? figure_cell(seconds, to_significant(3)) : TableCell("§"));
-    row.push_back(alike ? figure_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
+    row.push_back(alike ? number_cell(seconds, to_significant(3)) : TableCell("§"));
+    row.push_back(alike ? number_cell(1e5 * seconds / vertices, to_significant(3)) : TableCell("§"));
     table.rows.push_back(std::move(row));
   }
   table.remarks = {

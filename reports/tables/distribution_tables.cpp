@@ -16,16 +16,10 @@ namespace isobench {
 
 namespace {
 
-TableCell number_of(double value, const Print& print) {
-  TableCell cell;
-  cell.figures.push_back({{value, value, value}, print});
-  return cell;
-}
-
 // "0.853 (islands-17)". Where not even the worst has a defect there is no data set to name.
 TableCell worst_cell(const WorstCase& worst, const Criterion& criterion) {
   if (worst.run == nullptr) return "–";
-  TableCell cell = number_of(worst.value, criterion.print);
+  TableCell cell = number_cell(worst.value, criterion.print);
   if (!criterion.larger && worst.value == 0.0) return cell;
   return with_mark(std::move(cell), " (" + worst.run->request.dataset + ")");
 }
@@ -45,19 +39,19 @@ TableRow distribution_row(const Criterion& criterion, const Variant& method, std
   // From worst to best, whichever direction is better.
   std::sort(values.begin(), values.end());
   const auto at = [&](double p) {
-    return number_of(quantile(values, criterion.larger ? p : 1.0 - p), criterion.print);
+    return number_cell(quantile(values, criterion.larger ? p : 1.0 - p), criterion.print);
   };
   constexpr std::uint64_t seed = 1;
   const Interval sure = bootstrap_median(values, seed);
   return {name_with_unit(criterion),
           method.name,
-          number_of(static_cast<double>(values.size()), as_number()),
+          number_cell(static_cast<double>(values.size()), as_number()),
           at(0.0),
           at(0.05),
           at(0.25),
           at(0.5),
-          number_of(sure.low, criterion.print),
-          number_of(sure.high, criterion.print),
+          number_cell(sure.low, criterion.print),
+          number_cell(sure.high, criterion.print),
           at(0.75),
           at(1.0)};
 }
@@ -83,7 +77,7 @@ void add_ranks(const Criterion& criterion, const SideBySide& side, Table& table)
     for (const std::size_t other : order) {
       if (ranks[other] - ranks[m] > difference) beaten.push_back(side.methods[other]->name);
     }
-    table.rows.push_back({criterion.name, side.methods[m]->name, number_of(ranks[m], to_places(2)),
+    table.rows.push_back({criterion.name, side.methods[m]->name, number_cell(ranks[m], to_places(2)),
                           beaten.empty() ? "–" : fmt::format("{}", fmt::join(beaten, ", "))});
   }
   table.remarks.push_back(test_sentence(criterion, side, difference));
@@ -151,7 +145,7 @@ Table family_table(const RunGrid& runs) {
       const Tally counts = tally(runs, *method, family);
       if (counts.datasets == 0) continue;
       TableRow row = {
-          family, method->name, number_of(static_cast<double>(counts.datasets), as_number()),
+          family, method->name, number_cell(static_cast<double>(counts.datasets), as_number()),
           counts.sound.asked == 0 ? "not measured" : fmt::format("{} of {}", counts.sound.passed, counts.sound.asked)};
       for (const Criterion* criterion : telling_criteria())
         row.push_back(worst_cell(worst_case(runs, *method, *criterion, family), *criterion));

@@ -13,14 +13,14 @@ namespace isobench {
 namespace {
 
 // "998 of 1000 (99.3–99.9 %)"; "–" if no data set was measured.
-std::string pass_text(const PassCount& count) {
+TableCell pass_cell(const PassCount& count) {
   if (count.asked == 0) return count.not_measured == 0 ? "–" : "not measured";
   const Interval sure = wilson_interval(count.passed, count.asked);
   const auto percent = [](double share) { return fmt::format("{:.3g}", 100.0 * share); };
-  std::string text =
-      fmt::format("{} of {} ({}–{} %)", count.passed, count.asked, percent(sure.low), percent(sure.high));
-  if (count.not_measured > 0) text += fmt::format(", {} not measured", count.not_measured);
-  return text;
+  TableCell cell = fmt::format("{} of {}", count.passed, count.asked);
+  cell.note = fmt::format("{}–{} %", percent(sure.low), percent(sure.high));
+  if (count.not_measured > 0) cell.note += fmt::format(", {} not measured", count.not_measured);
+  return cell;
 }
 
 // "990 ok, 8 timeout, 2 failed".
@@ -33,7 +33,7 @@ std::string ends_text(const Tally& tally) {
 void add_counts(const Tally& tally, TableRow& row) {
   row.emplace_back(fmt::format("{}", tally.datasets));
   row.emplace_back(ends_text(tally));
-  for (const PassCount& count : tally.checks) row.emplace_back(pass_text(count));
+  for (const PassCount& count : tally.checks) row.push_back(pass_cell(count));
 }
 
 Table counted_table(const std::string& title, std::vector<std::string> labels) {

@@ -15,7 +15,7 @@ std::string CellFigure::text() const {
 }
 
 std::string TableCell::text() const {
-  std::string body = words + (reason.empty() ? "" : ": " + reason);
+  std::string body = words_and_note() + (reason.empty() ? "" : ": " + reason);
   for (std::size_t i = 0; i < figures.size(); ++i) body += (i == 0 ? "" : " / ") + figures[i].text();
   if (!figures.empty() && !unit.empty()) body += " " + unit;
   body += mark;

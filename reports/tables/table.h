@@ -24,6 +24,7 @@ struct TableCell {
   TableCell(const char* text) : words(text) {}             // NOLINT
 
   std::string words;                   ///< if there are no figures
+  std::string note{};                  ///< in brackets after the words; on the page, in a line under them
   std::string reason;                  ///< why the run has this status, if the words are a status
   std::vector<CellFigure> figures;     ///< "a / b"
   std::string unit;                    ///< of the figures
@@ -31,6 +32,8 @@ struct TableCell {
   std::vector<std::string> published;  ///< as printed in the paper, figure by figure
   std::string published_unit;
 
+  /// The words and the note: "998 of 1000 (99.3–99.9 %)".
+  std::string words_and_note() const { return note.empty() ? words : words + " (" + note + ")"; }
   /// "0.300 / 0.945 † (published 0.40 / 0.92)".
   std::string text() const;
 };

@@ -31,9 +31,8 @@ std::string shortened(const std::string& reason) {
 std::string dagger(const RunRecord& record) { return record.measurement && !is_closed_manifold(record) ? " †" : ""; }
 
 std::string marks(const RunRecord& record) {
-  const bool unmatched = record.match && !record.match->reason.empty();
   const std::string open = dagger(record);
-  return unmatched ? (open.empty() ? " ‡" : open + "‡") : open;
+  return is_unmatched(record) ? (open.empty() ? " ‡" : open + "‡") : open;
 }
 
 std::string marks(const Runs& runs) {
@@ -52,6 +51,12 @@ TableCell instead_of_figures(const RunRecord* record) {
   if (record->status == Status::ok) return {};
   TableCell cell(to_string(record->status));
   cell.reason = shortened(record->reason);
+  return cell;
+}
+
+TableCell number_cell(double value, const Print& print) {
+  TableCell cell;
+  cell.figures.push_back({{value, value, value}, print});
   return cell;
 }
 

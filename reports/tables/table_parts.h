@@ -20,6 +20,8 @@ std::string marks(const Runs& runs);
 /// The words of a cell without figures: "not run", "timeout: not finished after 20 minutes"; empty if the run is ok.
 TableCell instead_of_figures(const RunRecord* record);
 
+/// A cell with one number.
+TableCell number_cell(double value, const Print& print);
 /// A cell with one figure over counted_runs(). Precondition: one of the runs is finished.
 TableCell over(const Runs& runs, const Figure& figure, const Print& print);
 /// The same for seconds. Only runs with the most frequent timing (RunGrid::timing) count, because seconds of other runs
