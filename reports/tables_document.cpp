@@ -59,7 +59,7 @@ std::string footnotes(const Results& results) {
         "Such a mesh counts in medians and averages only if no other mesh of the same cell is closed and manifold. The "
         "number of meshes left out stands beside the figure.\n";
   }
-  if (any([](const RunRecord& record) { return record.match && !record.match->reason.empty(); })) {
+  if (any(is_unmatched)) {
     text += "‡ The mesh does not have the number of vertices that it should be matched to: see the table of matches.\n";
   }
   if (any([](const RunRecord& record) { return !record.deterministic; })) {
@@ -109,7 +109,8 @@ std::string markdown_tables(const Results& results, DatasetTables details) {
   if (left_out > 0) text += fmt::format("{} of single data sets: see tables.md.\n\n", plural(left_out, "table"));
   text += claims_section(results);
   if (results.published) {
-    text += heading("The published figures") + results.published->source + ".\n\n" + results.published->note + "\n\n";
+    text += heading(results.published->figures.empty() ? "The publications" : "The published figures") +
+            results.published->source + ".\n\n" + results.published->note + "\n\n";
   }
   return text + footnotes(results);
 }

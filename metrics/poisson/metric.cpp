@@ -15,6 +15,8 @@ void measure(MetricInput& input, MetricOutput& output) {
   const bool closed = std::count(elements.on_border.begin(), elements.on_border.end(), 0) == elements.size();
   const bool all = std::all_of(elements.vertex.begin(), elements.vertex.end(), [&](auto v) { return feet[v].exists; });
   if (!closed || !all) return;
+  // Reports add these seconds to those of meshing.
+  const auto stage = input.monitor().stage("solve");
   if (const auto errors = poisson_errors(elements, feet)) {
     output.set("poisson_max", errors->max);
     output.set("poisson_l2", errors->l2);

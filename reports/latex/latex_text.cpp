@@ -28,6 +28,11 @@ const std::map<std::string, std::string>& replacements() {
                                                          {"×", "$\\times$"},
                                                          {"·", "$\\cdot$"},
                                                          {"°", "$^\\circ$"},
+                                                         {"⁻", "$^-$"},
+                                                         {"¹", "$^1$"},
+                                                         {"½", "$\\frac{1}{2}$"},
+                                                         {"√", "$\\surd$"},
+                                                         {"š", "\\v{s}"},
                                                          {"²", "$^2$"},
                                                          {"³", "$^3$"},
                                                          {"µ", "$\\mu$"},
@@ -43,6 +48,11 @@ const std::map<std::string, std::string>& replacements() {
                                                          {"δ", "$\\delta$"},
                                                          {"κ", "$\\kappa$"},
                                                          {"λ", "$\\lambda$"},
+                                                         {"Δ", "$\\Delta$"},
+                                                         {"α", "$\\alpha$"},
+                                                         {"β", "$\\beta$"},
+                                                         {"π", "$\\pi$"},
+                                                         {"τ", "$\\tau$"},
                                                          {"χ", "$\\chi$"},
                                                          {"σ", "$\\sigma$"}};
   return all;

@@ -222,7 +222,8 @@ std::string citations_html(const Results& results) {
     text += "<dd>" + html_escaped(version) + "; see CITATION.cff</dd>\n";
   }
   if (results.published)
-    text += "<dt>Published figures</dt>\n<dd>" + html_escaped(results.published->source) + "</dd>\n";
+    text += std::string("<dt>") + (results.published->figures.empty() ? "Publications" : "Published figures") +
+            "</dt>\n<dd>" + html_escaped(results.published->source) + "</dd>\n";
   // Data sets with the same words share an entry; a thousand generated ones need no thousand entries.
   std::vector<std::pair<std::string, std::vector<std::string>>> entries;
   for (const std::string& dataset : distinct(results, [](const RunRecord& r) { return r.request.dataset; })) {

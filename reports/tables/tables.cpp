@@ -145,6 +145,7 @@ std::vector<Table> all_tables(const Results& results) {
   const RunGrid runs = arrange_runs(results);
   const bool many = has_many_datasets(runs);
   std::vector<Table> tables = many ? survey_tables(runs) : std::vector<Table>();
+  append(use_tables(results, runs), tables);
   const std::size_t overview = tables.size();
   append(ablation_tables(runs), tables);
   append({sizes_table(results, runs), many ? dataset_table(runs) : radius_ratio_table(results, runs),

@@ -29,6 +29,11 @@ std::vector<Table> stage_tables(const RunGrid& runs);
 /// One table for each method with two or more variants that differ from a base in a single parameter: how the change
 /// affects quality, edges above h0, topology and seconds. One row for each data set and change, after the base's row.
 std::vector<Table> ablation_tables(const RunGrid& runs);
+/// What a simulation pays for the meshes and gets from them, with orders of convergence: one table for each data set
+/// whose runs have figures_of_use(); with many data sets, one of medians over all of them.
+std::vector<Table> use_tables(const Results& results, const RunGrid& runs);
+/// Figures of the metrics that only an experiment with `metrics_of_use` has.
+const std::vector<std::string>& figures_of_use();
 Table seed_table(const RunGrid& runs);      ///< spread over seeds and repeats, and whether repeats agree
 Table match_table(const Results& results);  ///< which run was matched to which, and how closely
 
