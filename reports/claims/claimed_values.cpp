@@ -21,6 +21,29 @@ bool is_far_above(double larger, double smaller, double factor) {
 
 }  // namespace
 
+ClaimCell claim_cell_of(const RunRecord& record) {
+  return {record.request.dataset, sizing_name(record.request.sizing)};
+}
+
+std::vector<ClaimCell> claim_cells(const Results& results) {
+  std::vector<ClaimCell> cells;
+  for (const RunRecord& record : results.records) {
+    if (record.request.aside) continue;
+    const ClaimCell cell = claim_cell_of(record);
+    if (std::find(cells.begin(), cells.end(), cell) == cells.end()) cells.push_back(cell);
+  }
+  return cells;
+}
+
+bool several_sizings(const std::vector<ClaimCell>& cells, const std::string& dataset) {
+  return std::count_if(cells.begin(), cells.end(),
+                       [&dataset](const ClaimCell& cell) { return cell.dataset == dataset; }) > 1;
+}
+
+std::string name_among(const std::vector<ClaimCell>& cells, const ClaimCell& cell) {
+  return cell.dataset + (several_sizings(cells, cell.dataset) ? ", " + cell.sizing : "");
+}
+
 const PublishedMethod& printed_method(const Published& published, const std::string& printed) {
   return *std::find_if(published.methods.begin(), published.methods.end(),
                        [&printed](const PublishedMethod& method) { return method.printed == printed; });

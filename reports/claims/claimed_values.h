@@ -21,6 +21,19 @@ struct ClaimedValue {
   std::string absent;  ///< why there is no value; "" if there is one
 };
 
+/// Methods are compared on one data set at one sizing.
+struct ClaimCell {
+  std::string dataset;
+  std::string sizing;  ///< sizing_name()
+  bool operator==(const ClaimCell&) const = default;
+};
+ClaimCell claim_cell_of(const RunRecord& record);
+/// Those of all runs that are not aside (RunRequest::aside), in the order of the plan.
+std::vector<ClaimCell> claim_cells(const Results& results);
+bool several_sizings(const std::vector<ClaimCell>& cells, const std::string& dataset);
+/// The data set, and the sizing if the data set has several.
+std::string name_among(const std::vector<ClaimCell>& cells, const ClaimCell& cell);
+
 /// The published method with this printed name, which must exist.
 const PublishedMethod& printed_method(const Published& published, const std::string& printed);
 

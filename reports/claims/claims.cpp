@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "isobench/reports/claims/across_methods.h"
 #include "isobench/reports/claims/claimed_values.h"
+#include "isobench/reports/claims/convergence.h"
 #include "isobench/reports/claims/trends.h"
 
 namespace isobench {
@@ -52,34 +54,12 @@ Finding bound_finding(const PublishedClaim& claim, const ClaimedValue& value) {
   return finding;
 }
 
-// Methods are compared on one data set at one sizing.
-struct Cell {
-  std::string dataset;
-  std::string sizing;
-  bool operator==(const Cell&) const = default;
-};
-Cell cell_of(const RunRecord& record) { return {record.request.dataset, sizing_name(record.request.sizing)}; }
-
-std::vector<Cell> cells_of(const Results& results) {
-  std::vector<Cell> cells;
-  for (const RunRecord& record : results.records) {
-    if (record.request.aside) continue;
-    const Cell cell = cell_of(record);
-    if (std::find(cells.begin(), cells.end(), cell) == cells.end()) cells.push_back(cell);
-  }
-  return cells;
-}
-
-bool several_sizings(const std::vector<Cell>& cells, const std::string& dataset) {
-  return std::count_if(cells.begin(), cells.end(), [&](const Cell& cell) { return cell.dataset == dataset; }) > 1;
-}
-
-Runs runs_in(const Cell& cell, Runs runs) {
-  std::erase_if(runs, [&cell](const RunRecord* run) { return cell_of(*run) != cell; });
+Runs runs_in(const ClaimCell& cell, Runs runs) {
+  std::erase_if(runs, [&cell](const RunRecord* run) { return claim_cell_of(*run) != cell; });
   return runs;
 }
 
-std::vector<ClaimedValue> values_in(const PublishedClaim& claim, const Results& results, const Cell& cell) {
+std::vector<ClaimedValue> values_in(const PublishedClaim& claim, const Results& results, const ClaimCell& cell) {
   std::vector<ClaimedValue> values;
   const std::vector<std::string> methods = claim.order.empty() ? std::vector{claim.method} : claim.order;
   for (const std::string& printed : methods) {
@@ -91,11 +71,11 @@ std::vector<ClaimedValue> values_in(const PublishedClaim& claim, const Results& 
 
 std::vector<Finding> findings_per_cell(const PublishedClaim& claim, const Results& results) {
   std::vector<Finding> findings;
-  const std::vector<Cell> cells = cells_of(results);
-  for (const Cell& cell : cells) {
+  const std::vector<ClaimCell> cells = claim_cells(results);
+  for (const ClaimCell& cell : cells) {
     const std::vector<ClaimedValue> values = values_in(claim, results, cell);
     Finding finding = claim.order.empty() ? bound_finding(claim, values.front()) : order_finding(claim, values);
-    finding.data = cell.dataset + (several_sizings(cells, cell.dataset) ? ", " + cell.sizing : "");
+    finding.data = name_among(cells, cell);
     finding.published = published_figures(results, claim, cell.dataset);
     findings.push_back(std::move(finding));
   }
@@ -107,11 +87,11 @@ std::vector<Finding> findings_per_cell(const PublishedClaim& claim, const Result
 Finding average_finding(const PublishedClaim& claim, const Results& results) {
   Finding finding;
   finding.data = "average";
-  const std::vector<Cell> cells = cells_of(results);
+  const std::vector<ClaimCell> cells = claim_cells(results);
   std::vector<ClaimedValue> means(claim.order.size());
   int count = 0;
   std::string left_out;
-  for (const Cell& cell : cells) {
+  for (const ClaimCell& cell : cells) {
     if (several_sizings(cells, cell.dataset)) {
       finding.remark = "no mean over several sizings of one data set";
       return finding;
@@ -188,6 +168,10 @@ ClaimResult evaluate(const PublishedClaim& claim, const Results& results) {
   ClaimResult result;
   if (!claim.smaller.empty())
     result.findings = trend_findings(claim, results);
+  else if (claim.across_methods)
+    result.findings = across_methods_findings(claim, results);
+  else if (claim.convergence)
+    result.findings = convergence_findings(claim, results);
   else if (claim.average)
     result.findings = {average_finding(claim, results)};
   else

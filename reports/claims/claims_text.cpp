@@ -36,6 +36,26 @@ std::string trend_rule(const PublishedClaim& claim) {
                      claim.gives_larger ? "larger" : "smaller", claim.smaller);
 }
 
+std::string across_methods_rule(const AcrossMethods& across) {
+  if (across.gives == Tendency::neither) {
+    return fmt::format("over the methods on each data set, it does not depend on {}: Kendall's τ is between −{} and {}",
+                       across.larger, across.tau, across.tau);
+  }
+  const bool rises = across.gives == Tendency::larger;
+  return fmt::format("over the methods on each data set, it is {} where {} is larger: Kendall's τ is at {} {}{}",
+                     rises ? "larger" : "smaller", across.larger, rises ? "least" : "most", rises ? "" : "−",
+                     across.tau);
+}
+
+std::string convergence_rule(const PublishedClaim& claim) {
+  std::string text = fmt::format("{} falls with h at an order of",
+                                 claim.method.empty() ? "for each method it" : "for " + claim.method + " it");
+  const Convergence& bounds = *claim.convergence;
+  if (bounds.at_least) text += fmt::format(" at least {}", *bounds.at_least);
+  if (bounds.at_most) text += fmt::format("{} at most {}", bounds.at_least ? " and" : "", *bounds.at_most);
+  return text + ", on each data set with three sizings or more";
+}
+
 std::string claim_text(std::size_t number, const PublishedClaim& claim, const ClaimResult& result) {
   MarkdownTable table({"Data", "Verdict", "Measured", "Published"});
   // A table that only repeats "not testable" is left out: the summary gives the reason.
@@ -58,6 +78,8 @@ std::string rule_text(const PublishedClaim& claim) {
   std::string rule = bound_rule(claim);
   if (!claim.order.empty()) rule = order_rule(claim);
   if (!claim.smaller.empty()) rule = trend_rule(claim);
+  if (claim.across_methods) rule = across_methods_rule(*claim.across_methods);
+  if (claim.convergence) rule = convergence_rule(claim);
   return fmt::format("{}: {}", fmt::join(claim.figures, " + "), rule);
 }
 

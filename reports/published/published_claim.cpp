@@ -107,16 +107,64 @@ void read_bounds(PublishedClaim& claim, const TomlValue& table) {
   if (const auto bound = table.find("at_least")) claim.at_least = bound->as_number();
 }
 
+Tendency tendency_from(const TomlValue& value) {
+  const std::string name = known_name(value, value.as_string(), "tendency", {"larger", "smaller", "neither"});
+  if (name == "neither") return Tendency::neither;
+  return name == "larger" ? Tendency::larger : Tendency::smaller;
+}
+
+std::optional<AcrossMethods> across_methods_from(const TomlValue& table) {
+  const std::optional<TomlValue> value = table.find("across_methods");
+  if (!value) return std::nullopt;
+  value->allow_keys({"larger", "gives", "tau"}, "across_methods");
+  AcrossMethods across;
+  const TomlValue larger = value->require("larger");
+  across.larger = known_name(larger, larger.as_string(), "figure", figure_names());
+  across.gives = tendency_from(value->require("gives"));
+  const TomlValue tau = value->require("tau");
+  across.tau = positive(tau, 0.0, "tau");
+  if (across.tau > 1.0) {
+    throw UsageError(tau.place(), fmt::format("tau is {}; a rank correlation is never more than 1", across.tau));
+  }
+  return across;
+}
+
+std::optional<Convergence> convergence_from(const TomlValue& table) {
+  const std::optional<TomlValue> value = table.find("convergence");
+  if (!value) return std::nullopt;
+  value->allow_keys({"at_least", "at_most"}, "convergence");
+  Convergence convergence;
+  if (const auto bound = value->find("at_least")) convergence.at_least = bound->as_number();
+  if (const auto bound = value->find("at_most")) convergence.at_most = bound->as_number();
+  if (!convergence.at_least && !convergence.at_most)
+    throw UsageError(value->place(), "convergence needs at_least, at_most or both");
+  if (convergence.at_least && convergence.at_most && *convergence.at_least > *convergence.at_most) {
+    throw UsageError(value->place(), fmt::format("no order of convergence is at least {} and at most {}",
+                                                 *convergence.at_least, *convergence.at_most));
+  }
+  return convergence;
+}
+
+void check_method(const PublishedClaim& claim, const TomlValue& table) {
+  const bool about_all = !claim.order.empty() || claim.across_methods;
+  if (about_all && !claim.method.empty()) {
+    throw UsageError(table.place(), claim.across_methods ? "across_methods is about all methods; remove 'method'"
+                                                         : "the order names the methods; remove 'method'");
+  }
+  if (!about_all && !claim.convergence && claim.method.empty()) {
+    throw UsageError(table.place(), "the claim needs 'method' to say which method it is about");
+  }
+}
+
 void check_form(const PublishedClaim& claim, const TomlValue& table) {
-  const int forms =
-      (claim.order.empty() ? 0 : 1) + (claim.at_most || claim.at_least ? 1 : 0) + (claim.smaller.empty() ? 0 : 1);
+  const int forms = (claim.order.empty() ? 0 : 1) + (claim.at_most || claim.at_least ? 1 : 0) +
+                    (claim.smaller.empty() ? 0 : 1) + (claim.across_methods ? 1 : 0) + (claim.convergence ? 1 : 0);
   if (forms != 1) {
-    throw UsageError(table.place(), "a claim needs exactly one of: order; at_most or at_least; smaller with gives");
+    throw UsageError(table.place(),
+                     "a claim needs exactly one of: order; at_most or at_least; smaller with gives; across_methods; "
+                     "convergence");
   }
-  if (claim.order.empty() == claim.method.empty()) {
-    throw UsageError(table.place(), claim.order.empty() ? "the claim needs 'method' to say which method it is about"
-                                                        : "the order names the methods; remove 'method'");
-  }
+  check_method(claim, table);
   if (claim.average && claim.order.empty()) {
     throw UsageError(table.place(), "data = \"average\" is only for a claim with 'order'; remove it");
   }
@@ -137,7 +185,7 @@ std::string quantity_of(const PublishedClaim& claim, const TomlValue& table, con
 
 PublishedClaim claim_from(const TomlValue& table, const Published& published) {
   table.allow_keys({"words", "differs", "figure", "published", "order", "about", "much", "data", "method", "at_most",
-                    "at_least", "smaller", "gives"},
+                    "at_least", "smaller", "gives", "across_methods", "convergence"},
                    "[[claim]]");
   PublishedClaim claim;
   claim.words = table.require("words").as_string();
@@ -157,6 +205,8 @@ PublishedClaim claim_from(const TomlValue& table, const Published& published) {
   }
   read_bounds(claim, table);
   read_trend(claim, table);
+  claim.across_methods = across_methods_from(table);
+  claim.convergence = convergence_from(table);
   check_form(claim, table);
   return claim;
 }

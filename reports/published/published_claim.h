@@ -5,7 +5,7 @@
 //   figure = "radius_ratio_min"                 a figure of results.csv, or a list of figures, which are added up
 //   published = "…"                             the file's name for this quantity, if the figure has another name
 //
-// and one of three forms:
+// and one of five forms:
 //
 //   order = "ps > af > mc"                      methods in order, on every data set or, with data = "average", for the
 //                                               mean over the data sets
@@ -17,6 +17,18 @@
 //   method = "ps", smaller = "epsilon", gives = "smaller" or "larger"
 //                                               a trend: where runs differ in epsilon (or delta) alone, a smaller
 //                                               epsilon gives a smaller (or larger) figure
+//
+//   across_methods = { larger = "angle_max", gives = "larger", tau = 0.5 }
+//                                               over all methods on a data set, a larger angle_max goes with a larger
+//                                               (or "smaller") figure: Kendall's rank correlation τ of the two is at
+//                                               least 0.5 (at most −0.5). With gives = "neither" it is between −0.5
+//                                               and 0.5. A method is left out if it has not both figures, or if
+//                                               its number of vertices could not be matched
+//
+//   convergence = { at_least = 1.8, at_most = 2.5 }
+//                                               the order at which the figure falls with h, over three sizings or more
+//                                               of a method on a data set; one of the bounds, or both. Of every
+//                                               method, or with method = "ps" of that one
 #pragma once
 
 #include <optional>
@@ -31,6 +43,19 @@ struct Published;
 
 enum class Relation { about, below, above, far_below, far_above };
 
+enum class Tendency { larger, smaller, neither };
+
+struct AcrossMethods {
+  std::string larger;  ///< a figure
+  Tendency gives = Tendency::larger;
+  double tau = 0.5;  ///< 0 < tau ≤ 1
+};
+
+struct Convergence {
+  std::optional<double> at_least;
+  std::optional<double> at_most;
+};
+
 struct PublishedClaim {
   std::string words;
   std::string differs;
@@ -44,13 +69,16 @@ struct PublishedClaim {
   double much = 0.0;                ///< meaning of ">>" and "<<"; 0 if they are not used
   bool average = false;             ///< tested for the mean over the data sets
 
-  // A bound or a trend.
-  std::string method;  ///< as printed
+  // A bound, a trend or an order of convergence.
+  std::string method;  ///< as printed; "" for all methods
   std::optional<double> at_most;
   std::optional<double> at_least;
 
   std::string smaller;  ///< "epsilon" or "delta"
   bool gives_larger = false;
+
+  std::optional<AcrossMethods> across_methods;
+  std::optional<Convergence> convergence;
 };
 
 /// "~", "<", ">", "<<", ">>".

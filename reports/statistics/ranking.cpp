@@ -119,6 +119,23 @@ Costs performance_ratios(const Costs& costs) {
   return ratios;
 }
 
+double kendall_tau(std::span<const double> x, std::span<const double> y) {
+  const auto sign = [](double difference) { return difference > 0.0 ? 1.0 : difference < 0.0 ? -1.0 : 0.0; };
+  double agreement = 0.0;
+  double differ_in_x = 0.0;
+  double differ_in_y = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double of_x = sign(x[i] - x[j]);
+      const double of_y = sign(y[i] - y[j]);
+      agreement += of_x * of_y;
+      differ_in_x += std::abs(of_x);
+      differ_in_y += std::abs(of_y);
+    }
+  }
+  return agreement / std::sqrt(differ_in_x * differ_in_y);
+}
+
 std::vector<std::size_t> pareto_front(const std::vector<ParetoPoint>& points) {
   const auto beats = [](const ParetoPoint& a, const ParetoPoint& b) {
     return a.cost <= b.cost && a.quality >= b.quality && (a.cost < b.cost || a.quality > b.quality);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace isobench {
@@ -40,6 +41,12 @@ double nemenyi_quantile(std::size_t methods);
 /// share of ratios ≤ τ is the method's performance profile. Dolan and Moré, "Benchmarking optimization software with
 /// performance profiles", Mathematical Programming 91, 2002, equations 2.1 and 2.2. Precondition: costs > 0.
 Costs performance_ratios(const Costs& costs);
+
+/// Kendall's rank correlation τ_b of pairs (x_i, y_i): 1 if the larger x always has the larger y, −1 if it always has
+/// the smaller one. It is (C − D) / √((N − T_x)(N − T_y)) for C concordant and D discordant ones of the N pairs of
+/// pairs, T_x and T_y of which have equal x or y. Kendall, "The Treatment of Ties in Ranking Problems", Biometrika
+/// 33(3), 1945. NaN if all x or all y are equal. Precondition: as many x as y.
+double kendall_tau(std::span<const double> x, std::span<const double> y);
 
 struct ParetoPoint {
   double cost = 0.0;     ///< smaller is better

@@ -154,5 +154,17 @@ TEST(Statistics, TheParetoFrontHasWhatNothingBeats) {
   EXPECT_EQ(pareto_front(points), (std::vector<std::size_t>{1, 5, 2, 0}));
 }
 
+TEST(Statistics, KendallsTauCountsPairs) {
+  const std::vector<double> x = {1.0, 2.0, 3.0, 4.0, 5.0};
+  EXPECT_DOUBLE_EQ(kendall_tau(x, std::vector<double>{10.0, 20.0, 30.0, 40.0, 50.0}), 1.0);
+  EXPECT_DOUBLE_EQ(kendall_tau(x, std::vector<double>{5.0, 4.0, 3.0, 2.0, 1.0}), -1.0);
+  EXPECT_DOUBLE_EQ(kendall_tau(x, std::vector<double>{1.0, 3.0, 2.0, 5.0, 4.0}), 0.6);  // 8 pairs agree, 2 do not
+  // One pair of equal x, one of equal y: (8 − 0)/√(9·9).
+  EXPECT_DOUBLE_EQ(
+      kendall_tau(std::vector<double>{1.0, 1.0, 2.0, 3.0, 4.0}, std::vector<double>{1.0, 2.0, 3.0, 4.0, 4.0}),
+      8.0 / 9.0);
+  EXPECT_TRUE(std::isnan(kendall_tau(x, std::vector<double>(5, 1.0))));
+}
+
 }  // namespace
 }  // namespace isobench
