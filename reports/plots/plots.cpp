@@ -52,9 +52,9 @@ std::vector<Plot> all_plots(const Results& results, const std::vector<EdgesOverH
   const bool many = has_many_datasets(runs);
   const std::vector<Plot> none;
   for (std::vector<Plot> kind :
-       {many ? survey_plots(runs) : none, radius_ratio_plots(runs), edge_length_plots(runs), contraction_plots(over_h),
-        angle_plots(runs), valence_plots(runs), size_plots(runs), many ? none : stage_plots(runs),
-        sizing_plots(results), many ? none : trace_plots(runs)}) {
+       {many ? survey_plots(runs) : none, use_plots(results, runs), radius_ratio_plots(runs), edge_length_plots(runs),
+        contraction_plots(over_h), angle_plots(runs), valence_plots(runs), size_plots(runs),
+        many ? none : stage_plots(runs), sizing_plots(results), many ? none : trace_plots(runs)}) {
     std::move(kind.begin(), kind.end(), std::back_inserter(plots));
   }
   make_file_names(plots);

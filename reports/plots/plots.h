@@ -31,6 +31,10 @@ std::vector<Plot> stage_plots(const RunGrid& runs);
 std::vector<Plot> survey_plots(const RunGrid& runs);
 /// For all data sets together: radius ratios and seconds over the number of vertices.
 std::vector<Plot> size_plots(const RunGrid& runs);
+/// Errors of finite elements (poisson_l2, poisson_max, gradient_max) over the number of vertices, with the slopes of
+/// theory, where methods have several sizings; and over the seconds of meshing and solving. One plot for each of them
+/// and each data set whose runs have the figure; none with many data sets.
+std::vector<Plot> use_plots(const Results& results, const RunGrid& runs);
 /// Figures over δ, one curve for each ε; one plot for each grid that sizing_grids() finds.
 std::vector<Plot> sizing_plots(const Results& results);
 /// The paper's Figure 3. The first plot shows how much nearer the second neighbour of a particle is on a circle than on
