@@ -104,7 +104,7 @@ Finding finding_in(const PublishedClaim& claim, const std::vector<MethodRuns>& m
     return finding;
   }
   finding.verdict = is_as_claimed(*claim.across_methods, tau) ? Verdict::held : Verdict::not_held;
-  finding.ours = fmt::format("τ = {:.2f} over {} methods", tau, pairs.x.size());
+  finding.ours = fmt::format("τ = {}{:.2f} over {} methods", tau < 0.0 ? "−" : "", std::abs(tau), pairs.x.size());
   return finding;
 }
 

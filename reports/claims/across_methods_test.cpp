@@ -97,7 +97,7 @@ TEST(AcrossMethods, EachSizingOfADataSetIsTestedAndSeedsGiveTheirMedian) {
   const ClaimResult result = judge_across("larger", records);
   ASSERT_EQ(result.findings.size(), 2U);
   EXPECT_EQ(result.findings[0].ours, "τ = 1.00 over 4 methods");
-  EXPECT_EQ(result.findings[1].ours, "τ = -1.00 over 4 methods");
+  EXPECT_EQ(result.findings[1].ours, "τ = −1.00 over 4 methods");
   EXPECT_EQ(result.summary, "not held on skull, ε 0.25, δ 0.3");
 }
 

@@ -151,7 +151,7 @@ std::string ranges(const Plot& plot) {
   if (plot.y_low < plot.y_high) text += fmt::format("set yrange [{}:{}]\n", plot.y_low, plot.y_high);
   if (!plot.log_y) text += has_categories(plot) || plot.marks == Marks::steps ? "set yrange [0:*]\n" : "";
   if (plot.log_x) text += "set logscale x\nset format x '%g'\n";
-  if (plot.log_y) text += "set logscale y\n";
+  if (plot.log_y) text += "set logscale y\nset format y '%g'\n";
   if (plot.marks == Marks::points || plot.marks == Marks::joined) {
     text += "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";
   }

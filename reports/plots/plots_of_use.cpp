@@ -101,6 +101,20 @@ bool has_curve(const Plot& plot) {
                      [](const Series& series) { return series.x.front() != series.x.back(); });
 }
 
+// gnuplot would leave room up to the next powers of ten.
+void fit_axes(Plot& plot) {
+  constexpr double margin = 1.3;
+  plot.x_low = plot.y_low = std::numeric_limits<double>::infinity();
+  for (const Series& series : plot.series) {
+    const auto [left, right] = std::minmax_element(series.x.begin(), series.x.end());
+    const auto [lowest, highest] = std::minmax_element(series.y.begin(), series.y.end());
+    plot.x_low = std::min(plot.x_low, *left / margin);
+    plot.x_high = std::max(plot.x_high, *right * margin);
+    plot.y_low = std::min(plot.y_low, *lowest / margin);
+    plot.y_high = std::max(plot.y_high, *highest * margin);
+  }
+}
+
 // None where each method has one sizing: at equal numbers of vertices the points would form a column.
 Plot error_over_vertices(const std::vector<Refinement>& all, const std::string& dataset, const ErrorFigure& error) {
   Plot plot = error_plot(all, dataset, error, counted_runs, figure_of("vertices"));
@@ -113,6 +127,7 @@ Plot error_over_vertices(const std::vector<Refinement>& all, const std::string& 
       error.order);
   plot.x_label = "vertices";
   plot.series.push_back(order_guide(plot, error.order));
+  fit_axes(plot);
   return plot;
 }
 
@@ -122,6 +137,8 @@ Plot error_over_seconds(const RunGrid& runs, const std::vector<Refinement>& all,
                         const ErrorFigure& error) {
   const auto alike = [&runs](const Runs& level) { return runs_with_timing(counted_runs(level), runs.timing); };
   Plot plot = error_plot(all, dataset, error, alike, meshing_and_solving);
+  if (plot.empty()) return plot;
+  fit_axes(plot);
   plot.kind = std::string(error.file) + "-over-seconds";
   plot.name = plot.kind + "-" + dataset;
   plot.caption =

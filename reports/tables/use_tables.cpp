@@ -31,7 +31,6 @@ struct UseColumn {
   Figure figure;
   Print print;
   bool timed = false;
-  bool contest = true;  ///< a smaller value is news
 };
 
 // All of them are better if smaller.
@@ -45,10 +44,9 @@ std::vector<UseColumn> use_columns() {
           {"Poisson max", figure_of("poisson_max"), to_significant(3)},
           {"Poisson L2", figure_of("poisson_l2"), to_significant(3)},
           {"gradient max", figure_of("gradient_max"), to_significant(3)},
-          {"normal angle max °", figure_of("normal_angle_max"), to_significant(3)},
+          {"normal max °", figure_of("normal_angle_max"), to_significant(3)},
           {"curvature max", figure_of("curvature_max"), to_significant(3)},
-          {"meshing s", figure_of("seconds_total"), to_significant(3), true},
-          {"solving s", solving_seconds, to_significant(2), true, false}};
+          {"meshing s", figure_of("seconds_total"), to_significant(3), true}};
 }
 
 struct OrderColumn {
@@ -64,7 +62,7 @@ const std::vector<OrderColumn>& order_columns() {
 
 // One method: its finest runs on the data sets of the table.
 struct UseRow {
-  std::string name;
+  std::string label;
   Runs runs;
   std::vector<const Refinement*> refinements;
 };
@@ -74,20 +72,13 @@ bool measures_use(const RunRecord& run) {
                      [&run](const std::string& figure) { return std::isfinite(figure_value(run, figure)); });
 }
 
-// "particles, 20000 vertices" if the method has other sizings, too.
-std::string row_name(const Refinement& refinement, bool one_dataset) {
-  const RunRequest& finest = refinement.levels.back().front()->request;
-  const bool several = one_dataset && refinement.levels.size() > 1;
-  return refinement.label + (several ? ", " + sizing_name(finest.sizing) : "");
-}
-
 std::vector<UseRow> rows_on(const std::vector<Refinement>& all, const std::vector<std::string>& datasets) {
   std::vector<UseRow> rows;
   for (const Refinement& refinement : all) {
     if (std::find(datasets.begin(), datasets.end(), refinement.dataset) == datasets.end()) continue;
-    const std::string name = row_name(refinement, datasets.size() == 1);
-    auto row = std::find_if(rows.begin(), rows.end(), [&name](const UseRow& each) { return each.name == name; });
-    if (row == rows.end()) row = rows.insert(row, UseRow{name, {}, {}});
+    const std::string& label = refinement.label;
+    auto row = std::find_if(rows.begin(), rows.end(), [&label](const UseRow& each) { return each.label == label; });
+    if (row == rows.end()) row = rows.insert(row, UseRow{label, {}, {}});
     const Runs& finest = refinement.levels.back();
     row->runs.insert(row->runs.end(), finest.begin(), finest.end());
     row->refinements.push_back(&refinement);
@@ -112,7 +103,7 @@ TableCell order_cell(std::vector<double> orders) {
 
 TableRow table_row(const RunGrid& arrangement, const UseRow& row, bool with_orders) {
   const bool ok = !finished(row.runs).empty();
-  TableRow cells = {row.name + spread_label(row.runs) + marks(row.runs)};
+  TableRow cells = {row.label + spread_label(row.runs) + marks(row.runs)};
   cells.push_back(ok ? over(row.runs, vertices, as_number()) : instead_of_figures(row.runs.front()));
   for (const UseColumn& column : use_columns()) {
     cells.push_back(!ok            ? TableCell("–")
@@ -164,13 +155,12 @@ std::string best_sentence(const RunGrid& arrangement, const std::vector<UseRow>&
   const std::vector<UseRow> rows = matched(all);
   std::vector<std::vector<std::string>> best_at(rows.size());
   for (const UseColumn& column : use_columns()) {
-    if (!column.contest) continue;
     for (const std::size_t n : best_rows(arrangement, rows, column)) best_at[n].push_back(column.title);
   }
   std::vector<std::string> parts;
   for (std::size_t n = 0; n < rows.size(); ++n) {
     if (best_at[n].empty()) continue;
-    parts.push_back(fmt::format("{} at {}", rows[n].refinements.front()->label, fmt::join(best_at[n], ", ")));
+    parts.push_back(fmt::format("{} at {}", rows[n].label, fmt::join(best_at[n], ", ")));
   }
   return parts.empty() ? "" : fmt::format("Best: {}.", fmt::join(parts, "; "));
 }
@@ -200,11 +190,11 @@ Table use_table(const RunGrid& arrangement, const std::vector<UseRow>& rows, con
 // What stands under the last table for all of them.
 void explain(const RunGrid& arrangement, Table& table) {
   table.remarks.emplace_back(
-      "Smaller is better in every column up to the seconds; larger orders are better. Methods with ‡ have another "
-      "number of vertices and are not counted as best. If a method has several sizings, "
-      "the row shows its finest. \"Steps\" are explicit steps of the heat equation until the time L²/4, with edges of "
-      "one length. An order is the slope of log error over log h, by least squares over at least three sizings whose h "
-      "differ by half as much again or more. \"Solving\" factorises and solves the system of Poisson max.");
+      "Smaller is better in every column but the orders. Methods with ‡ have another number of vertices and are not "
+      "counted as best. If a method has several sizings, the row shows its finest mesh. \"Steps\" are explicit steps "
+      "of the heat equation until the time L²/4, for meshes with edges of one length. An order is the slope of log "
+      "error over log h, by least squares over at least three sizings whose h differ by half as much again or more; "
+      "2 for Poisson and 1 for the gradient are those of linear elements.");
   say_how_timed(arrangement, table);
   table.definitions = {"negative_weights", "obtuse_percent", "step_factor",  "condition",        "cg_iterations",
                        "poisson_max",      "poisson_l2",     "gradient_max", "normal_angle_max", "curvature_max"};
