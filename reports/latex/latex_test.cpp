@@ -155,6 +155,7 @@ TEST(Latex, TextIsEscaped) {
   EXPECT_EQ(latex_escaped("ε ≤ 2 × |κ|…"), "$\\varepsilon$ $\\le$ 2 $\\times$ \\textbar{}$\\kappa$\\textbar{}\\dots{}");
   EXPECT_EQ(latex_escaped("§ 3 µs"), "\\S{} 3 $\\mu$s");
   EXPECT_EQ(latex_escaped("Müller"), "Müller");
+  EXPECT_EQ(latex_escaped("Δu, D⁻½, τ"), "$\\Delta$u, D$^-$$\\frac{1}{2}$, $\\tau$");
   // All text of the tables becomes ASCII.
   for (const Results& results : {results_for_latex(), with_seeds(), with_grid()}) {
     for (const Table& table : all_tables(results)) {

@@ -252,5 +252,18 @@ TEST(Report, OfTablesAloneHasNoPage) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html"));
 }
 
+TEST(Page, NotesStandUnderTheWordsOfACellAndWideTablesAreDense) {
+  Table table;
+  table.header = {"Method", "passed"};
+  table.rows = {{"ours", "9 of 9"}};
+  table.rows.front()[1].note = "70–100 %";
+  EXPECT_NE(html(table).find("<td class=\"noted\">9 of 9<span class=\"note\">70–100 %</span></td>"), std::string::npos)
+      << html(table);
+  EXPECT_NE(html(table).find("<table class=\"sortable\">"), std::string::npos);
+  EXPECT_NE(markdown(table).find("9 of 9 (70–100 %)"), std::string::npos);
+  table.header.resize(14);
+  EXPECT_NE(html(table).find("<table class=\"sortable dense\">"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace isobench
