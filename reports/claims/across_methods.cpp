@@ -42,17 +42,17 @@ bool could_not_be_matched(const MethodRuns& method) {
   return std::any_of(method.runs.begin(), method.runs.end(), [](const RunRecord* run) { return is_unmatched(*run); });
 }
 
-// The name of the figure that the method lacks, or how its run ended.
+// Names the figure that the method lacks, or says how its run ended.
 std::string why_left_out(const MethodRuns& method, const std::string& figure) {
-  if (finished(method.runs).empty()) return method.label + ": " + to_string(method.runs.front()->status);
-  return fmt::format("{} has no {}", method.label, figure);
+  if (finished(method.runs).empty()) return method.label + " left out: " + to_string(method.runs.front()->status);
+  return fmt::format("{} left out: no {}", method.label, figure);
 }
 
 Pairs pairs_of(const PublishedClaim& claim, const std::vector<MethodRuns>& methods) {
   Pairs pairs;
   for (const MethodRuns& method : methods) {
     if (could_not_be_matched(method)) {
-      append_to_list(pairs.left_out, ", ", method.label + " has another number of vertices");
+      append_to_list(pairs.left_out, "; ", method.label + " left out: another number of vertices");
       continue;
     }
     std::vector<double> x;
@@ -71,7 +71,7 @@ Pairs pairs_of(const PublishedClaim& claim, const std::vector<MethodRuns>& metho
     }
     const std::string lacks =
         std::isfinite(of_x) ? fmt::format("{}", fmt::join(claim.figures, " + ")) : claim.across_methods->larger;
-    append_to_list(pairs.left_out, ", ", why_left_out(method, lacks));
+    append_to_list(pairs.left_out, "; ", why_left_out(method, lacks));
   }
   return pairs;
 }
@@ -92,7 +92,7 @@ Finding finding_in(const PublishedClaim& claim, const std::vector<MethodRuns>& m
   constexpr std::size_t fewest_methods = 4;
   const Pairs pairs = pairs_of(claim, methods);
   Finding finding;
-  if (!pairs.left_out.empty()) finding.remark = "left out: " + pairs.left_out;
+  finding.remark = pairs.left_out;
   if (pairs.x.size() < fewest_methods) {
     append_to_list(finding.remark, "; ",
                    fmt::format("{} of the {} methods that it takes", pairs.x.size(), fewest_methods));

@@ -60,7 +60,7 @@ TEST(AcrossMethods, WhatCannotBeMeasuredIsLeftOutAndNamed) {
   records[5].status = Status::timeout;
   records[5].measurement.reset();
   const ClaimResult held = judge_across("larger", records);
-  EXPECT_EQ(held.summary, "held as far as it could be tested (left out: e has no gradient_max, f: timeout)");
+  EXPECT_EQ(held.summary, "held as far as it could be tested (e left out: no gradient_max; f left out: timeout)");
   records.erase(records.begin());
   const ClaimResult few = judge_across("larger", records);
   EXPECT_EQ(few.verdict, Verdict::not_testable);
@@ -72,7 +72,7 @@ TEST(AcrossMethods, MeshesOfAnotherSizeAreLeftOut) {
   records[4].match = MatchRecord{1002.0, 1.0, 3, "it meshes the lattice"};
   const ClaimResult held = judge_across("larger", records);
   EXPECT_EQ(held.findings.front().ours, "τ = 1.00 over 4 methods");
-  EXPECT_EQ(held.findings.front().remark, "left out: e has another number of vertices");
+  EXPECT_EQ(held.findings.front().remark, "e left out: another number of vertices");
 }
 
 TEST(AcrossMethods, EqualValuesAreNotTestable) {
@@ -99,6 +99,19 @@ TEST(AcrossMethods, EachSizingOfADataSetIsTestedAndSeedsGiveTheirMedian) {
   EXPECT_EQ(result.findings[0].ours, "τ = 1.00 over 4 methods");
   EXPECT_EQ(result.findings[1].ours, "τ = −1.00 over 4 methods");
   EXPECT_EQ(result.summary, "not held on skull, ε 0.25, δ 0.3");
+}
+
+TEST(AcrossMethods, OfManyFindingsTheSummaryCountsThoseThatDidNotHold) {
+  std::vector<RunRecord> records;
+  for (const std::string dataset : {"a", "b", "c", "d", "e"}) {
+    const double sign = dataset == "c" ? -1.0 : 1.0;
+    for (RunRecord record :
+         methods_with({{90, 2 + sign * 0.1}, {100, 2 + sign * 0.2}, {120, 2 + sign}, {150, 2 + sign * 1.5}})) {
+      record.request.dataset = dataset;
+      records.push_back(record);
+    }
+  }
+  EXPECT_EQ(judge_across("larger", records).summary, "not held on 1 of 5: c");
 }
 
 TEST(AcrossMethods, TheRuleSaysWhatIsTested) {

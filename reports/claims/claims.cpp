@@ -125,16 +125,28 @@ Finding average_finding(const PublishedClaim& claim, const Results& results) {
   return finding;
 }
 
+// The parts of a remark between "; ": findings often share some of them.
+void add_parts(const std::string& remark, std::set<std::string>& parts) {
+  for (std::size_t start = 0; start < remark.size();) {
+    const std::size_t end = std::min(remark.find("; ", start), remark.size());
+    parts.insert(remark.substr(start, end - start));
+    start = end + 2;
+  }
+}
+
 void summarize(ClaimResult& result) {
   std::string failed_on;
   std::string untested_on;
   std::set<std::string> remarks;
+  constexpr std::size_t most_uncounted = 4;
   std::size_t tested = 0;
+  std::size_t failed = 0;
   for (const Finding& finding : result.findings) {
     if (finding.verdict == Verdict::not_held) append_to_list(failed_on, "; ", finding.data);
+    failed += finding.verdict == Verdict::not_held ? 1 : 0;
     if (finding.verdict == Verdict::not_testable) append_to_list(untested_on, "; ", finding.data);
     tested += finding.verdict == Verdict::not_testable ? 0 : 1;
-    if (!finding.remark.empty()) remarks.insert(finding.remark);
+    add_parts(finding.remark, remarks);
   }
   const std::string reasons = fmt::format("{}", fmt::join(remarks, "; "));
   if (tested == 0) {
@@ -144,7 +156,10 @@ void summarize(ClaimResult& result) {
   }
   result.verdict = failed_on.empty() ? Verdict::held : Verdict::not_held;
   result.summary = to_string(result.verdict);
-  if (!failed_on.empty() && result.findings.size() > 1) result.summary += " on " + failed_on;
+  if (!failed_on.empty() && result.findings.size() > 1) {
+    result.summary += tested > most_uncounted ? fmt::format(" on {} of {}: ", failed, tested) : " on ";
+    result.summary += failed_on;
+  }
   if (failed_on.empty() && !reasons.empty()) result.summary += " as far as it could be tested";
   if (failed_on.empty() && !untested_on.empty()) result.summary += "; not testable on " + untested_on;
   if (!reasons.empty()) result.summary += " (" + reasons + ")";

@@ -34,7 +34,7 @@ void add_order(const PublishedClaim& claim, const Refinement& refinement, Findin
   };
   const Order order = order_of_convergence(refinement, error);
   if (!order.untested.empty()) {
-    append_to_list(finding.remark, ", ", refinement.label + ": " + order.untested);
+    append_to_list(finding.remark, "; ", refinement.label + " left out: " + order.untested);
     return;
   }
   const Convergence& bounds = *claim.convergence;
@@ -59,9 +59,6 @@ std::vector<Finding> convergence_findings(const PublishedClaim& claim, const Res
     add_order(claim, refinement, *finding);
   }
   if (findings.empty()) return {{"–", Verdict::not_testable, "", "", "no method was run at several sizings"}};
-  for (Finding& finding : findings) {
-    if (!finding.remark.empty()) finding.remark = "left out: " + finding.remark;
-  }
   return findings;
 }
 

@@ -55,7 +55,7 @@ TEST(Convergence, WhatHasNoOrderIsLeftOutAndNamed) {
   std::vector<RunRecord> records = two_orders();
   records.pop_back();
   const ClaimResult held = judge_order("convergence = { at_least = 1.6 }\n", records);
-  EXPECT_EQ(held.summary, "held as far as it could be tested (left out: cvt: fewer than 3 sizings)");
+  EXPECT_EQ(held.summary, "held as far as it could be tested (cvt left out: fewer than 3 sizings)");
   // A data set with one sizing was not meant to show an order.
   records.push_back(sample_level("skull", "particles", 1000, 0.2, 2.0));
   EXPECT_EQ(judge_order("convergence = { at_least = 1.6 }\n", records).findings.size(), 1U);

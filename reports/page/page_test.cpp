@@ -254,6 +254,7 @@ TEST(Report, OfTablesAloneHasNoPage) {
 
 TEST(Page, NotesStandUnderTheWordsOfACellAndWideTablesAreDense) {
   Table table;
+  table.label_columns = 1;
   table.header = {"Method", "passed"};
   table.rows = {{"ours", "9 of 9"}};
   table.rows.front()[1].note = "70–100 %";
