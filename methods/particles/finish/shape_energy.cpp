@@ -45,12 +45,15 @@ struct Terms {
   double shape = 0.0;
   double large = 0.0;
   double small = 0.0;
+  bool areas_act = false;  // whether a is in the range where its terms change
 
   Terms(const ShapeEnergy& energy, const Corner& corner) : shape(raise(corner.r, energy.shape_doublings)) {
     if (!(energy.area_weight > 0.0)) return;
-    const double power = raise(corner.a, energy.area_doublings);
+    const double a = std::clamp(corner.a, 1.0 / energy.range, energy.range);
+    const double power = raise(a, energy.area_doublings);
     large = energy.area_weight * power;
     small = energy.area_weight / std::max(power, 1e-200);
+    areas_act = a == corner.a;
   }
   double sum() const { return shape + large + small; }
 };
@@ -84,11 +87,12 @@ EnergyJet shape_energy(const ShapeEnergy& energy, const Ring& ring, const Eigen:
     const Eigen::Matrix2d area_first = of_area * of_area.transpose();
     const Eigen::Matrix2d area_second = out * out.transpose() - area_first;
     const Eigen::Vector2d of_r = of_squares - of_area;
-    const double balance = q * (terms.large - terms.small);
+    const double balance = terms.areas_act ? q * (terms.large - terms.small) : 0.0;
+    const double stiffness = terms.areas_act ? q * q * (terms.large + terms.small) : 0.0;
     jet.value += terms.sum();
     jet.gradient += p * terms.shape * of_r + balance * of_area;
     jet.hessian += p * terms.shape * (p * of_r * of_r.transpose() + squares_second - area_second) +
-                   q * q * (terms.large + terms.small) * area_first + balance * area_second;
+                   stiffness * area_first + balance * area_second;
   }
   return jet;
 }

@@ -21,13 +21,15 @@ struct Ring {
 };
 
 /// Σ r^p + w (a^q + a^−q) over triangles with area A and edges l: r = Σ l²/(4√3 A), which is 1 for an equilateral
-/// triangle and larger otherwise, and a = A over the mean of the areas asked at the corners. Equal areas bound the
+/// triangle and larger otherwise, and a = A over the mean of the areas asked at the corners. The terms of a are
+/// constant beyond a range: moves cannot make triangles even there, and would only spoil shapes. Equal areas bound the
 /// largest eigenvalue of the Laplacian, and so the steps of explicit time integration. Large exponents act on the worst
 /// triangles and leave the others free: with p = 8 and q = 1, the same smallest areas cost 0.003 more of the mean Q.
 struct ShapeEnergy {
   int shape_doublings = 5;   ///< p = 2 to this power
   int area_doublings = 4;    ///< q = 2 to this power
   double area_weight = 0.0;  ///< w; 0: shapes alone
+  double range = 1e300;      ///< the terms of a change between 1/range and range
 };
 
 /// The energy with the vertex at x, and its gradient and Hessian with respect to moves in the plane of two unit

@@ -13,6 +13,8 @@ using Index = EditableMesh::Index;
 
 // Added to the shortfall of every bad triangle or edge, so that few large ones are better than many small ones.
 constexpr double base_shortfall = 0.2;
+// Searches must not pay for the shapes of a few triangles with a valence that is out of bounds.
+constexpr double extreme_valence = 4.0;
 
 }  // namespace
 
@@ -36,7 +38,7 @@ double triangle_shortfall(const EditableMesh& mesh, const Triangle& t, const Sha
 
 double valence_shortfall(const EditableMesh& mesh, Index v) {
   const double away = std::abs(static_cast<double>(mesh.valence(v)) - 6.0);
-  return away > 1.0 ? away - 1.0 : 0.0;
+  return away > 1.0 ? extreme_valence * (away - 1.0) : 0.0;
 }
 
 double edge_shortfall(double over_h0) {

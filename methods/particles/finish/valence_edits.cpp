@@ -69,8 +69,8 @@ std::optional<OnSurface> on_surface(const Isosurface& surface, const Vector3d& x
 }  // namespace
 
 FinishEnergies finish_energies(const SizingField& sizing, double weight) {
-  if (!sizing.uniform()) return {{5, 4, 0.01 * weight}, {5, 4, 0.01 * weight}};
-  return {{5, 4, 0.04 * weight}, {5, 5, 6e-4 * weight}};
+  if (sizing.uniform()) return {{5, 4, 0.04 * weight, 2.0}, {5, 5, 6e-4 * weight, 2.0}};
+  return {{5, 4, 0.01 * weight, 1.7}, {5, 4, 0.01 * weight, 1.7}};
 }
 
 double edge_over_h0(const FinishContext& context, const Vector3d& a, const Vector3d& b) {

@@ -181,6 +181,7 @@ bool Easing::attempt(Trial& trial, std::size_t factor, SearchBudget& budget) con
   const AskedAreas before = context_.areas.with_bounds(raised_bounds(trial, 0.0));
   FinishContext context = context_;
   context.areas = context_.areas.with_bounds(raised);
+  context.energies.rounds.range = infinite;  // vertices must spread
   EditableMesh mesh = trial.submesh.mesh;
   if (!thin_out(context, before, goal_, mesh, budget)) return false;
   const auto spectrum = [this](const EditableMesh& of) { return local_spectrum(of, unbounded_.at_vertices(of)); };
