@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "isobench/foundation/error.h"
+#include "isobench/metrics/finite_elements/step_factor.h"
 #include "isobench/metrics/metric_input.h"
 
 namespace isobench {
@@ -101,6 +102,15 @@ const MeshEdges& MetricInput::edges() {
 const FiniteElements& MetricInput::finite_elements() {
   if (!finite_elements_) finite_elements_ = isobench::finite_elements(mesh_, half_edges());
   return *finite_elements_;
+}
+
+std::optional<double> MetricInput::uniform_step_factor() {
+  const FiniteElements& elements = finite_elements();
+  if (!step_factor_) {
+    const double h = std::sqrt(elements.mean_squared_edge());
+    step_factor_ = isobench::step_factor(elements, Eigen::VectorXd::Constant(elements.size(), h), monitor_);
+  }
+  return *step_factor_;
 }
 
 const std::vector<double>& MetricInput::h0() {

@@ -23,6 +23,10 @@ int first_column(const Metric& metric) {
   return first;
 }
 
+bool is_name(const std::string& name) {
+  return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
 void check(const Metric& metric) {
   const auto complain = [&metric](const std::string& what) {
     throw std::logic_error(fmt::format("the metric {} {}", metric.name, what));
@@ -30,10 +34,17 @@ void check(const Metric& metric) {
   if (metric.measure == nullptr) complain("has no function that measures it");
   if (metric.figures.empty()) complain("declares no figure");
   for (const FigureDeclaration& figure : metric.figures) {
-    if (figure.name.empty() ||
-        figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
+    if (!is_name(figure.name))
       complain("has a figure named '" + figure.name + "'; lower-case letters, digits and _ are expected");
     if (!figure.definition.ends_with('.')) complain("does not define its figure " + figure.name + " in a sentence");
+  }
+  for (const FieldDeclaration& field : metric.fields) {
+    if (!is_name(field.name) || field.title.empty() || field.legend.empty() || !field.explanation.ends_with('.') ||
+        field.caption == nullptr)
+      complain(
+          "does not declare its field '" + field.name +
+          "' with a name of lower-case letters, digits and _, a title, a legend, an explanation in sentences and a "
+          "caption");
   }
 }
 
@@ -73,6 +84,11 @@ const Catalogue<HistogramDeclaration>& histograms() {
   return all;
 }
 
+const Catalogue<FieldDeclaration>& fields() {
+  static const Catalogue<FieldDeclaration> all(metrics(), &Metric::fields);
+  return all;
+}
+
 template <class Declaration>
 void check_names(const std::vector<Metric>& metrics, std::vector<Declaration> Metric::*declarations, const char* what) {
   std::map<std::string, std::string> metric_of;
@@ -92,6 +108,7 @@ std::vector<Metric> sorted_and_checked(std::vector<Metric> metrics) {
   for (const Metric& metric : metrics) check(metric);
   check_names(metrics, &Metric::figures, "figure");
   check_names(metrics, &Metric::histograms, "histogram");
+  check_names(metrics, &Metric::fields, "field");
   std::sort(metrics.begin(), metrics.end(), [](const Metric& a, const Metric& b) {
     return std::pair(first_column(a), a.name) < std::pair(first_column(b), b.name);
   });
@@ -105,6 +122,7 @@ const std::vector<Metric>& metrics() {
 
 const std::vector<FigureDeclaration>& declared_figures() { return figures().all; }
 const std::vector<HistogramDeclaration>& declared_histograms() { return histograms().all; }
+const std::vector<FieldDeclaration>& declared_fields() { return fields().all; }
 
 std::size_t figure_index(std::string_view name) { return figures().find(name, "figure"); }
 std::size_t histogram_index(std::string_view name) { return histograms().find(name, "histogram"); }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,8 +75,45 @@ struct HistogramDeclaration {
   Histogram empty() const { return {low, high, bins}; }
 };
 
+class Measurement;
 class MetricInput;
 class MetricOutput;
+
+/// What the pictures of a field show of each mesh.
+enum class FieldView {
+  whole,
+  mark,  ///< the marked place, close up
+};
+
+/// Which runs of a data set have pictures of a field.
+enum class FieldRuns {
+  all,              ///< if one mesh has the field, those without it are drawn, too, in grey
+  first_and_worst,  ///< the first method, and the one with the worst FieldDeclaration::judged_by
+};
+
+enum class FieldScale {
+  linear,       ///< from 0
+  logarithmic,  ///< from a thousandth of the brightest colour's value; smaller values look like it
+};
+
+/// An array of the mesh that reports draw, method beside method with the same view and the same colours. The metric
+/// keeps it with add_vertex_data() or add_triangle_data(). Where no mesh has it, there are no pictures.
+struct FieldDeclaration {
+  std::string name{};                 ///< of the array; a-z, 0-9 and _; unique among the fields of all metrics
+  std::string title{};                ///< the heading over the pictures
+  std::string legend{};               ///< what the colours show, with the unit; a few words
+  std::string explanation{};          ///< one or more sentences below the heading
+  std::optional<double> brightest{};  ///< value of the brightest colour; by default the largest of all meshes
+  FieldScale scale = FieldScale::linear;
+  FieldView view = FieldView::whole;
+  FieldRuns runs = FieldRuns::all;
+  std::string judged_by{};  ///< a figure that has `better`; also says which mesh is worst
+  /// The figures <mark>_x, <mark>_y and <mark>_z are a place, mm, in the frame of the stored mesh; "" for none.
+  std::string mark{};
+  std::string stage{};  ///< the seconds of this stage of the run are printed below a picture; "" for none
+  /// What is printed below the picture of a mesh.
+  std::string (*caption)(const Measurement& measurement) = nullptr;
+};
 
 struct Metric {
   std::string name{};  ///< the folder's
@@ -88,6 +126,7 @@ struct Metric {
   bool in_every_record = false;
   std::vector<FigureDeclaration> figures{};
   std::vector<HistogramDeclaration> histograms{};
+  std::vector<FieldDeclaration> fields{};
   /// Sets the figures that it can measure; the others stay "not measured". Called only if `needs` is given.
   void (*measure)(MetricInput& input, MetricOutput& output) = nullptr;
 };
@@ -95,13 +134,14 @@ struct Metric {
 /// All metrics, in the order of their first columns in results.csv, then of their names.
 const std::vector<Metric>& metrics();
 
-/// Sorts any list in that order. Throws std::logic_error if a figure or histogram is declared twice, or a declaration
-/// is incomplete.
+/// Sorts any list in that order. Throws std::logic_error if a figure, histogram or field is declared twice, or a
+/// declaration is incomplete.
 std::vector<Metric> sorted_and_checked(std::vector<Metric> metrics);
 
 /// The figures of all metrics, in the metrics' order.
 const std::vector<FigureDeclaration>& declared_figures();
 const std::vector<HistogramDeclaration>& declared_histograms();
+const std::vector<FieldDeclaration>& declared_fields();
 
 /// The index of a figure in declared_figures(). Throws std::logic_error, with the nearest name, if no metric declares
 /// it: the name is misspelt in the program's own code.

@@ -33,6 +33,9 @@ class MetricInput {
   const std::vector<HalfEdge>& half_edges();
   const MeshEdges& edges();
   const FiniteElements& finite_elements();
+  /// step_factor() for h² = finite_elements().mean_squared_edge() everywhere: h² times the largest eigenvalue of M⁻¹K.
+  /// std::nullopt where it is not found. Precondition: the finite elements are regular.
+  std::optional<double> uniform_step_factor();
   /// h0 at each vertex, mm. Precondition: the metric needs the sizing. One interpolation a vertex, all threads.
   const std::vector<double>& h0();
   /// Of the surface itself. Precondition: the metric needs the surface. For its cost see certified_topology().
@@ -45,6 +48,7 @@ class MetricInput {
   std::optional<std::vector<HalfEdge>> half_edges_;
   std::optional<MeshEdges> edges_;
   std::optional<FiniteElements> finite_elements_;
+  std::optional<std::optional<double>> step_factor_;  ///< the inner one: whether it was found
   std::optional<std::vector<double>> h0_;
   std::optional<CertifiedTopology> topology_;
 };

@@ -70,6 +70,25 @@ TEST(Metrics, IncompleteDeclarationsAreRefused) {
   EXPECT_NE(complaint({metric}).find("no function"), std::string::npos);
 }
 
+std::string no_caption(const Measurement& /*measurement*/) { return ""; }
+
+TEST(Metrics, FieldsAreDeclaredWholeAndOnce) {
+  Metric metric = sample_metric("a", "size");
+  metric.fields = {
+      {.name = "heat", .title = "Heat", .legend = "°C", .explanation = "How warm it is.", .caption = no_caption}};
+  EXPECT_EQ(complaint({metric}), "");
+  Metric other = sample_metric("b", "weight");
+  other.fields = metric.fields;
+  EXPECT_EQ(complaint({metric, other}), "the field heat is declared twice, by the metrics a and b");
+  metric.fields[0].explanation = "no sentence";
+  EXPECT_NE(complaint({metric}).find("does not declare its field 'heat' with"), std::string::npos);
+  for (const FieldDeclaration& field : declared_fields()) {
+    if (!field.judged_by.empty()) EXPECT_NE(declared_figure(field.judged_by).better, Better::neither) << field.name;
+    if (field.mark.empty()) continue;
+    for (const char* axis : {"_x", "_y", "_z"}) EXPECT_EQ(declared_figure(field.mark + axis).unit, "mm") << field.name;
+  }
+}
+
 TEST(Metrics, AreInTheOrderOfTheirColumnsAndNewOnesComeLast) {
   std::vector<Metric> sorted = metrics();
   sorted.push_back(sample_metric("zzz", "new_figure"));

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "isobench/datasets/volume.h"
 #include "isobench/foundation/monitor.h"
@@ -25,5 +27,9 @@ Artefact read_artefact(const std::filesystem::path& path);
 /// ending. Throws DataError for a file that is missing, empty, truncated or of another format, or that has polygons
 /// other than triangles, indices out of range or coordinates that are not finite.
 TriangleMesh read_mesh(const std::filesystem::path& path);
+
+/// The names of the data arrays of a VTP file that write_mesh() has written; only the beginning of the file is read.
+/// Empty if there is no such file.
+std::set<std::string> data_names(const std::filesystem::path& path);
 
 }  // namespace isobench

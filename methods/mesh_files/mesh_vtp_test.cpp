@@ -95,6 +95,21 @@ TEST(ReadVtp, OursAreAsVtkReadsThem) {
   EXPECT_EQ(back.vertex_data, mesh.vertex_data);
 }
 
+TEST(ReadVtp, NamesOfDataAreReadFromTheHead) {
+  const TestFolder folder;
+  const auto path = folder.path() / "mesh.vtp";
+  EXPECT_EQ(data_names(path), std::set<std::string>());
+  TriangleMesh mesh;
+  mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+  mesh.triangles = {{0, 1, 2}};
+  write_mesh(mesh, path);
+  EXPECT_EQ(data_names(path), std::set<std::string>());
+  mesh.vertex_data = {{"h0", {1.0, 2.0, 3.0}}, {"spots", {1.0, 2.0, 3.0}}};
+  mesh.triangle_data["radius_ratio"] = {0.8};
+  write_mesh(mesh, path);
+  EXPECT_EQ(data_names(path), (std::set<std::string>{"h0", "radius_ratio", "spots"}));
+}
+
 TEST(ReadVtp, SeveralPiecesBecomeOneMesh) {
   const TestFolder folder;
   const auto piece = [](const std::string& data) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "isobench/metrics/metric_input.h"
@@ -10,8 +12,11 @@ void measure(MetricInput& input, MetricOutput& output) {
   const FiniteElements& elements = input.finite_elements();
   if (!elements.regular) return;
   const std::vector<FootPoint> feet = foot_points(input.surface(), input.mesh().vertices);
-  output.set("gradient_max",
-             gradient_error(elements, input.mesh(), feet, foot_points(input.surface(), centroids(input.mesh()))));
+  if (auto errors =
+          gradient_errors(elements, input.mesh(), feet, foot_points(input.surface(), centroids(input.mesh())))) {
+    output.set("gradient_max", errors->max);
+    output.add_triangle_data("gradient_error", std::move(errors->of_triangles));
+  }
   const bool closed = std::count(elements.on_border.begin(), elements.on_border.end(), 0) == elements.size();
   const bool all = std::all_of(elements.vertex.begin(), elements.vertex.end(), [&](auto v) { return feet[v].exists; });
   if (!closed || !all) return;
@@ -20,7 +25,38 @@ void measure(MetricInput& input, MetricOutput& output) {
   if (const auto errors = poisson_errors(elements, feet)) {
     output.set("poisson_max", errors->max);
     output.set("poisson_l2", errors->l2);
+    std::vector<double> at_vertices(input.mesh().vertices.size(), 0.0);
+    for (std::size_t i = 0; i < elements.vertex.size(); ++i) {
+      at_vertices[elements.vertex[i]] = errors->at_unknowns[static_cast<Eigen::Index>(i)];
+    }
+    output.add_vertex_data("poisson_error", std::move(at_vertices));
   }
+}
+
+std::string largest_nodal_error(const Measurement& m) { return fmt::format("largest {:.2g}", m.number("poisson_max")); }
+
+std::string largest_gradient_error(const Measurement& m) {
+  return fmt::format("largest {:.2g}", m.number("gradient_max"));
+}
+
+std::vector<FieldDeclaration> fields() {
+  return {{.name = "poisson_error",
+           .title = "the error of a solution of Poisson's equation",
+           .legend = "error",
+           .explanation = "Absolute error at the vertices, over the root mean square of the solution (poisson_max).",
+           .scale = FieldScale::logarithmic,
+           .runs = FieldRuns::first_and_worst,
+           .judged_by = "poisson_max",
+           .caption = largest_nodal_error},
+          {.name = "gradient_error",
+           .title = "the error of gradients",
+           .legend = "error",
+           .explanation = "Error of the gradient of a function that is interpolated in each triangle, over the root "
+                          "mean square of the true gradient (gradient_max).",
+           .scale = FieldScale::logarithmic,
+           .runs = FieldRuns::first_and_worst,
+           .judged_by = "gradient_max",
+           .caption = largest_gradient_error}};
 }
 
 }  // namespace
@@ -51,6 +87,7 @@ Metric metric_poisson() {
                      "triangle's centroid, over its root mean square.",
        .unmeasured = no_stiffness}};
   for (FigureDeclaration& figure : metric.figures) figure.better = Better::smaller;
+  metric.fields = fields();
   metric.measure = measure;
   return metric;
 }

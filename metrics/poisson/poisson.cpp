@@ -64,17 +64,21 @@ std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, cons
   if (factors == nullptr) return std::nullopt;
   const Eigen::VectorXd error = factors->solve(elements.mass * f) - u;
   const double squares = u.dot(elements.lumped_mass.cwiseProduct(u));
-  return PoissonErrors{error.cwiseAbs().maxCoeff() / std::sqrt(squares / elements.area),
-                       std::sqrt(error.dot(elements.lumped_mass.cwiseProduct(error)) / squares)};
+  const double rms = std::sqrt(squares / elements.area);
+  return PoissonErrors{error.cwiseAbs().maxCoeff() / rms,
+                       std::sqrt(error.dot(elements.lumped_mass.cwiseProduct(error)) / squares),
+                       error.cwiseAbs() / rms};
 }
 
-std::optional<double> gradient_error(const FiniteElements& elements, const TriangleMesh& mesh,
-                                     const std::vector<FootPoint>& feet, const std::vector<FootPoint>& centroid_feet) {
+std::optional<GradientErrors> gradient_errors(const FiniteElements& elements, const TriangleMesh& mesh,
+                                              const std::vector<FootPoint>& feet,
+                                              const std::vector<FootPoint>& centroid_feet) {
   const ManufacturedSolution solution(std::sqrt(elements.squared_radius()));
   const auto& x = mesh.vertices;
   double area = 0.0;
   double squares = 0.0;
-  double largest = 0.0;
+  GradientErrors errors;
+  errors.of_triangles.assign(mesh.triangles.size(), 0.0);
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     if (is_collapsed(t) || !centroid_feet[n].exists) continue;
@@ -84,10 +88,14 @@ std::optional<double> gradient_error(const FiniteElements& elements, const Trian
     const double twice_area = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
     area += twice_area;
     squares += twice_area * exact.squaredNorm();
-    largest = std::max(largest, (linear_gradient(x[t[0]], x[t[1]], x[t[2]], values) - exact).norm());
+    errors.of_triangles[n] = (linear_gradient(x[t[0]], x[t[1]], x[t[2]], values) - exact).norm();
+    errors.max = std::max(errors.max, errors.of_triangles[n]);
   }
   if (!(squares > 0.0)) return std::nullopt;
-  return largest / std::sqrt(squares / area);
+  const double rms = std::sqrt(squares / area);
+  errors.max /= rms;
+  for (double& error : errors.of_triangles) error /= rms;
+  return errors;
 }
 
 }  // namespace isobench

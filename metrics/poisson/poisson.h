@@ -28,8 +28,14 @@ class ManufacturedSolution {
 };
 
 struct PoissonErrors {
-  double max = 0.0;  ///< largest error at a vertex
-  double l2 = 0.0;   ///< root mean square of the errors at the vertices, weighted by the lumped mass
+  double max = 0.0;             ///< largest error at a vertex
+  double l2 = 0.0;              ///< root mean square of the errors at the vertices, weighted by the lumped mass
+  Eigen::VectorXd at_unknowns;  ///< absolute errors
+};
+
+struct GradientErrors {
+  double max = 0.0;
+  std::vector<double> of_triangles;  ///< one a triangle; 0 where it was not measured
 };
 
 /// Solves (K + M/L²) U = M f with f = u/L² − Δ_Γ u at the vertices' foot points, and compares U with u there. Errors
@@ -38,10 +44,11 @@ struct PoissonErrors {
 /// Preconditions: regular elements, a mesh without border, all feet exist. One foot a vertex of the mesh.
 std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, const std::vector<FootPoint>& feet);
 
-/// The largest |∇(Iu) − ∇_Γ u| of a triangle, over the root mean square of ∇_Γ u: Iu is linear and has the values of u
-/// at the foot points of the corners; ∇_Γ u is taken at the foot point of the centroid. std::nullopt where no triangle
-/// has both. Preconditions: regular elements. One foot a vertex, and one a triangle.
-std::optional<double> gradient_error(const FiniteElements& elements, const TriangleMesh& mesh,
-                                     const std::vector<FootPoint>& feet, const std::vector<FootPoint>& centroid_feet);
+/// |∇(Iu) − ∇_Γ u| of each triangle and the largest, over the root mean square of ∇_Γ u: Iu is linear and has the
+/// values of u at the foot points of the corners; ∇_Γ u is taken at the foot point of the centroid. std::nullopt where
+/// no triangle has both. Preconditions: regular elements. One foot a vertex, and one a triangle.
+std::optional<GradientErrors> gradient_errors(const FiniteElements& elements, const TriangleMesh& mesh,
+                                              const std::vector<FootPoint>& feet,
+                                              const std::vector<FootPoint>& centroid_feet);
 
 }  // namespace isobench

@@ -9,7 +9,8 @@ void measure(MetricInput& input, MetricOutput& output) {
   if (!elements.regular) return;
   Eigen::VectorXd h = asked_lengths(elements, input.mesh(), input.sizing_if_given());
   if (!input.is_adaptive()) h.setConstant(std::sqrt(elements.mean_squared_edge()));
-  output.set("step_factor", step_factor(elements, h, input.monitor()));
+  output.set("step_factor",
+             input.is_adaptive() ? step_factor(elements, h, input.monitor()) : input.uniform_step_factor());
   output.set("step_factor_consistent", consistent_step_factor(elements, h, input.monitor()));
 }
 

@@ -42,12 +42,6 @@ class InverseMass {
 
 }  // namespace
 
-std::optional<double> step_factor(const FiniteElements& elements, const Eigen::VectorXd& h, Monitor& monitor) {
-  const SparseMatrix a = scaled(elements.stiffness, h.cwiseQuotient(elements.lumped_mass.cwiseSqrt()));
-  const auto times_a = [&a](const Eigen::VectorXd& x, Eigen::VectorXd& y) { multiply(a, x, y); };
-  return largest_eigenvalue(a.rows(), times_a, nullptr, tolerance, max_steps, monitor);
-}
-
 std::optional<double> consistent_step_factor(const FiniteElements& elements, const Eigen::VectorXd& h,
                                              Monitor& monitor) {
   const Eigen::VectorXd to_ones = elements.mass.diagonal().cwiseSqrt().cwiseInverse();

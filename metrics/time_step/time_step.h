@@ -1,21 +1,16 @@
-// How small the steps of an explicit simulation must be: the largest eigenvalue of the mesh's Laplacian. Explicit Euler
-// of the heat equation is stable up to a step of 2/λ = 2h²/step_factor; one bad triangle sets it for the whole mesh.
+// How small the steps of an explicit simulation must be if it uses the consistent mass.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
 
 #include "isobench/foundation/monitor.h"
-#include "isobench/metrics/finite_elements/finite_elements.h"
+#include "isobench/metrics/finite_elements/step_factor.h"
 
 namespace isobench {
 
-/// λmax of diag(h) M_L^-½ K M_L^-½ diag(h), to 1e-7: 6 for a lattice of equilateral triangles of edge length h. Some
-/// hundred products with K at most. Precondition: the elements are regular.
-std::optional<double> step_factor(const FiniteElements& elements, const Eigen::VectorXd& h, Monitor& monitor);
-
-/// The same with the consistent mass M in place of M_L: 24 for that lattice. Each step solves a system with M, whose
-/// condition is at most 4 once it is scaled (Wathen 1987): twenty times the cost.
+/// step_factor() with the consistent mass M in place of M_L: 24 for that lattice. Each step solves a system with M,
+/// whose condition is at most 4 once it is scaled (Wathen 1987): twenty times the cost.
 std::optional<double> consistent_step_factor(const FiniteElements& elements, const Eigen::VectorXd& h,
                                              Monitor& monitor);
 

@@ -36,8 +36,8 @@ TEST(ResultsCsv, HasTheseColumnsInThisOrder) {
             "host,exclusive,distance_from_surface_mean,distance_from_surface_max,area,volume,"
             "components_lost,components_joined,components_different,condition,cg_iterations,negative_weights,"
             "negative_weight_rows_percent,obtuse_percent,curvature_max,normal_angle_mean,normal_angle_max,poisson_max,"
-            "poisson_l2,gradient_max,step_factor,step_factor_consistent,vertex_area_min,vertex_area_max,"
-            "family,closed_manifold,right_topology,"
+            "poisson_l2,gradient_max,pattern_steps,pattern_steps_done,pattern_stable_percent,blow_up_step,step_factor,"
+            "step_factor_consistent,vertex_area_min,vertex_area_max,family,closed_manifold,right_topology,"
             "no_self_intersections,angles_35_90,angles_30_100,valences_5_7,no_edge_above_h0");
 }
 
