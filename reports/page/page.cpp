@@ -46,6 +46,7 @@ std::string pictures_html(const std::vector<Picture>& pictures, const std::files
   std::string text;
   std::string group;
   for (const Picture& picture : pictures) {
+    if (!picture.explanation.empty()) continue;  // shown by fields_html()
     if (picture.group != group) {
       text += (group.empty() ? "" : "</div>\n") + ("<h3>" + html_escaped(picture.group)) +
               "</h3>\n<div class=\"figures pictures\">\n";
@@ -86,8 +87,9 @@ std::string banner(const Results& results, const Exhibits& exhibits) {
 std::string body_of_few(const Results& results, Exhibits& exhibits, const std::filesystem::path& folder) {
   std::string body = summary_html(results) + gaps_html(results) + claims_html(results);
   body += plates_html(results, exhibits, folder);
-  return body + turnable_html(exhibits, folder) + tables_html(results) + plots_html(exhibits, false, folder) +
-         pictures_html(exhibits.pictures, folder) + provenance_html(results) + citations_html(results);
+  return body + fields_html(exhibits, folder) + turnable_html(exhibits, folder) + tables_html(results) +
+         plots_html(exhibits, false, folder) + pictures_html(exhibits.pictures, folder) + provenance_html(results) +
+         citations_html(results);
 }
 
 // The overview first; what concerns single data sets is folded.
@@ -100,7 +102,8 @@ std::string body_of_many(const Results& results, Exhibits& exhibits, const std::
   });
   return summary_html(results) + plots_html(exhibits, true, folder) + tables_html(results) +
          worst_html(results, exhibits, folder) + claims_html(results) + plates +
-         folded(gaps_html(results), "Runs without a mesh") + turnable_html(exhibits, folder) +
+         folded(gaps_html(results), "Runs without a mesh") +
+         folded(fields_html(exhibits, folder), "Pictures of simulations") + turnable_html(exhibits, folder) +
          folded(pictures_html(others, folder), "Whole meshes") + folded(details_html(results), "Tables of data sets") +
          folded(provenance_html(results), "Runs") + folded(citations_html(results), "Program and data");
 }
@@ -112,6 +115,7 @@ std::string navigation(const std::string& body) {
                                                                             {"gaps", "Failed or not done"},
                                                                             {"claims", "Published claims"},
                                                                             {"figures", "Figures of the paper"},
+                                                                            {"fields", "Simulations"},
                                                                             {"turn", "3D"},
                                                                             {"tables", "Tables"},
                                                                             {"plots", "Plots"},

@@ -41,6 +41,8 @@ std::string gaps_html(const Results& results);
 std::string claims_html(const Results& results);
 /// The figures of the publication, by number, made from our pictures and plots. Adds these plots to `exhibits.shown`.
 std::string plates_html(const Results& results, Exhibits& exhibits, const std::filesystem::path& folder);
+/// Pictures of the fields that metrics kept with the meshes, such as the result of a simulation.
+std::string fields_html(const Exhibits& exhibits, const std::filesystem::path& folder);
 /// Links to the meshes, and copies of them that the page's script shows in 3D.
 std::string turnable_html(const Exhibits& exhibits, const std::filesystem::path& folder);
 /// How each run was made, one fold for each run.

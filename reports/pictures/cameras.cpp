@@ -85,4 +85,21 @@ View view_of_triangle(const TriangleMesh& mesh, std::size_t triangle) {
   return view;
 }
 
+View view_of_place(const TriangleMesh& mesh, const Eigen::Vector3d& place, double edge_length) {
+  const auto nearest = std::min_element(
+      mesh.vertices.begin(), mesh.vertices.end(),
+      [&place](const auto& a, const auto& b) { return (a - place).squaredNorm() < (b - place).squaredNorm(); });
+  View view;
+  view.focus = *nearest;
+  view.half_height = 4.0 * edge_length;
+  view.towards = Eigen::Vector3d::Zero();
+  // Of the triangles around it, not only of those that touch it: these may be slivers.
+  for (const Triangle& t : mesh.triangles) {
+    if ((mesh.vertices[t[0]] - view.focus).norm() < 2.0 * edge_length) view.towards += scaled_normal(mesh, t);
+  }
+  if (view.towards.norm() == 0.0) view.towards = from_a_corner;
+  view.eye_distance = view.half_height;
+  return view;
+}
+
 }  // namespace isobench

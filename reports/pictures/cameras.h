@@ -17,6 +17,9 @@ View view_of_all(const std::vector<const TriangleMesh*>& meshes);
 View closer_view(const View& whole, const TriangleMesh& mesh, double edge_length);
 /// A view perpendicular to a triangle, with its neighbours around it.
 View view_of_triangle(const TriangleMesh& mesh, std::size_t triangle);
+/// A view along the surface's normal of the vertex nearest to a place, so close that edges of this length can be told
+/// apart.
+View view_of_place(const TriangleMesh& mesh, const Eigen::Vector3d& place, double edge_length);
 
 /// Mean length of the triangles' edges, mm.
 double mean_edge(const TriangleMesh& mesh);

@@ -11,6 +11,8 @@
 #include "isobench/methods/sizing/medial_axis/point_tree.h"
 #include "isobench/metrics/radius_ratio/radius_ratio.h"
 #include "isobench/reports/pictures/cameras.h"
+#include "isobench/reports/pictures/field_pictures.h"
+#include "isobench/reports/pictures/field_scene.h"
 #include "isobench/reports/pictures/pictures.h"
 #include "isobench/reports/pictures/turnable.h"
 #include "isobench/reports/runs/spread.h"
@@ -100,7 +102,8 @@ class Painter {
       lengths.push_back(mean_edge(valued.mesh));
     }
     whole_ = view_of_all(pointers);
-    closer_ = closer_view(whole_, meshes_.front().mesh, spread_of(lengths).median);
+    mean_edge_ = spread_of(lengths).median;
+    closer_ = closer_view(whole_, meshes_.front().mesh, mean_edge_);
   }
 
   void paint() {
@@ -112,6 +115,7 @@ class Painter {
       paint_mesh(n);
       paint_artefacts(n);
     }
+    for (const FieldPictures& of : field_pictures(group_, folder_)) paint_field(of);
   }
 
  private:
@@ -165,6 +169,20 @@ class Painter {
     if (wanted(shots::particles)) paint_particles(n);
   }
 
+  void paint_field(const FieldPictures& of) {
+    double brightest = 0.0;
+    for (const std::size_t n : of.runs) brightest = std::max(brightest, largest_value(*of.field, meshes_[n].mesh));
+    for (const std::size_t n : of.runs) {
+      Scene scene = field_scene(*of.field, meshes_[n].mesh, *group_.runs[n], brightest);
+      View view = whole_;
+      if (of.field->view == FieldView::mark && scene.marked) {
+        view = view_of_place(meshes_[n].mesh, *scene.marked, mean_edge_);
+        scene.marked.reset();  // it is the middle of the picture
+      }
+      write(n, of.shot.c_str(), scene, view);
+    }
+  }
+
   Artefact artefact(std::size_t n, const char* name) const {
     return read_artefact(folder_ / group_.runs[n]->request.run / name);
   }
@@ -201,6 +219,7 @@ class Painter {
   const fs::path& folder_;
   std::unique_ptr<Renderer>& renderer_;
   std::vector<ValuedMesh> meshes_;
+  double mean_edge_ = 0.0;  // the median of the meshes
   View whole_;
   View closer_;
 };

@@ -29,6 +29,8 @@ struct Picture {
   std::string group;  ///< heading over the pictures that are compared; they have the same view
   std::string title;  ///< of this picture within the group: the method, or ε and δ
   std::string caption;
+  /// Of a field that a metric kept with the mesh: what it is, in sentences. "" for any other picture.
+  std::string explanation;
 };
 
 /// A file with a mesh, or with a simpler copy of it, for the page's script (reports/pictures/turnable.h).

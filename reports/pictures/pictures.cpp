@@ -11,6 +11,7 @@
 #include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"
+#include "isobench/reports/pictures/field_pictures.h"
 #include "isobench/reports/pictures/render.h"
 #include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/survey/survey.h"
@@ -146,6 +147,25 @@ void list_pictures(const PictureGroup& group, const fs::path& folder, Pictures& 
   }
 }
 
+void list_fields(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
+  for (const FieldPictures& of : field_pictures(group, folder)) {
+    for (const std::size_t n : of.runs) {
+      const RunRecord& run = *group.runs[n];
+      Picture picture{group.file(run, of.shot),
+                      group.file(run, of.shot, "jpg"),
+                      group.dataset,
+                      of.shot,
+                      false,
+                      group.title + ": " + of.field->title,
+                      group.names[n],
+                      caption_of(*of.field, run),
+                      of.field->explanation};
+      if (fs::exists(folder / picture.file) && fs::exists(folder / picture.preview))
+        pictures.pictures.push_back(std::move(picture));
+    }
+  }
+}
+
 void list_others(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
   if (group.grid) return;
   for (std::size_t n = 0; n < group.runs.size(); ++n) {
@@ -233,6 +253,11 @@ std::vector<std::string> shots_of(const PictureGroup& group, const RunRecord& ru
   if (kept(folder, run, "medial-axis.vtp")) all.emplace_back(shots::medial_axis);
   if (kept(folder, run, "sizing.vtp")) all.insert(all.end(), {shots::initial_sizing, shots::limited_sizing});
   if (kept(folder, run, "particles.vtp")) all.insert(all.end(), {shots::particles, shots::particles_closer});
+  for (const FieldPictures& of : field_pictures(group, folder)) {
+    const bool drawn =
+        std::any_of(of.runs.begin(), of.runs.end(), [&](std::size_t n) { return group.runs[n] == &run; });
+    if (drawn) all.push_back(of.shot);
+  }
   return all;
 }
 
@@ -262,6 +287,7 @@ Pictures make_pictures(const Results& results, const fs::path& folder) {
   for (const PictureGroup& group : groups) {
     if (group.grid) pictures.across = group.across;
     list_pictures(group, folder, pictures);
+    list_fields(group, folder, pictures);
     list_others(group, folder, pictures);
   }
   return pictures;

@@ -31,9 +31,12 @@ struct Scene {
   std::vector<double> vertex_values;    ///< one for each vertex, or empty; used instead of `values`
   std::vector<Eigen::Vector3d> points;
   std::vector<double> point_values;
-  double point_size = 4.0;  ///< pixels
-  double low = 0.0;         ///< value of the darkest colour
-  double high = 1.0;        ///< value of the brightest colour
+  std::optional<Eigen::Vector3d> marked;  ///< a place with a red point that nothing hides
+  double point_size = 4.0;                ///< pixels
+  double low = 0.0;                       ///< value of the darkest colour
+  double high = 1.0;                      ///< value of the brightest colour
+  bool logarithmic = false;               ///< colours grow with the logarithm; all values must then be positive
+  const char* label_format = "%.2f";      ///< of the numbers beside the colour bar, as printf() knows it
 };
 
 /// One picture as the contents of two files: PNG without loss, and JPEG, which is a fifth as large.
