@@ -99,11 +99,12 @@ enum class FieldScale {
 /// An array of the mesh that reports draw, method beside method with the same view and the same colours. The metric
 /// keeps it with add_vertex_data() or add_triangle_data(). Where no mesh has it, there are no pictures.
 struct FieldDeclaration {
-  std::string name{};                 ///< of the array; a-z, 0-9 and _; unique among the fields of all metrics
-  std::string title{};                ///< the heading over the pictures
-  std::string legend{};               ///< what the colours show, with the unit; a few words
-  std::string explanation{};          ///< one or more sentences below the heading
-  std::optional<double> brightest{};  ///< value of the brightest colour; by default the largest of all meshes
+  std::string name{};         ///< of the array; a-z, 0-9 and _; unique among the fields of all metrics
+  std::string title{};        ///< the heading over the pictures
+  std::string legend{};       ///< what the colours show, with the unit; a few words
+  std::string explanation{};  ///< one or more sentences below the heading
+  /// The value of the brightest colour; by default 1 % of the values of one mesh are above it, and fewer of the others.
+  std::optional<double> brightest{};
   FieldScale scale = FieldScale::linear;
   FieldView view = FieldView::whole;
   FieldRuns runs = FieldRuns::all;

@@ -12,7 +12,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 
@@ -147,12 +146,14 @@ vtkSmartPointer<vtkActor> outline_of(const Scene& scene, const View& view) {
   return actor;
 }
 
-// A red point with a white rim: two points, moved towards the eye so that nothing hides them.
+// A red point with a white rim: two points, moved close to the eye so that nothing hides them.
 vtkSmartPointer<vtkActor> mark_of(const Scene& scene, const View& view, bool rim) {
-  // As balls, the points bulge towards the eye, by less than a tenth of the picture's height.
-  const double lift = 0.9 * view.eye_distance - (rim ? 0.1 * view.half_height : 0.0);
+  // The rim is behind by more than the points bulge, which are drawn as balls.
+  const double depth = 0.9 * view.eye_distance - (rim ? 0.1 * view.half_height : 0.0);
+  const Eigen::Vector3d direction = view.towards.normalized();
+  const double lift = depth - (*scene.marked - view.focus).dot(direction);
   vtkNew<vtkPolyData> data;
-  data->SetPoints(to_vtk({*scene.marked}, lift * view.towards.normalized()));
+  data->SetPoints(to_vtk({*scene.marked}, lift * direction));
   vtkNew<vtkCellArray> cells;
   cells->InsertNextCell({0});
   data->SetVerts(cells);

@@ -1,9 +1,9 @@
 // What a picture shows, as VTK draws it.
 #pragma once
 
-#include "isobench/reports/pictures/render.h"
+#include <vtkRenderer.h>
 
-class vtkRenderer;
+#include "isobench/reports/pictures/render.h"
 
 namespace isobench {
 

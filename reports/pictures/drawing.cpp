@@ -171,7 +171,7 @@ class Painter {
 
   void paint_field(const FieldPictures& of) {
     double brightest = 0.0;
-    for (const std::size_t n : of.runs) brightest = std::max(brightest, largest_value(*of.field, meshes_[n].mesh));
+    for (const std::size_t n : of.runs) brightest = std::max(brightest, high_value(*of.field, meshes_[n].mesh));
     for (const std::size_t n : of.runs) {
       Scene scene = field_scene(*of.field, meshes_[n].mesh, *group_.runs[n], brightest);
       View view = whole_;

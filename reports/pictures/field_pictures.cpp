@@ -74,4 +74,23 @@ std::string caption_of(const FieldDeclaration& field, const RunRecord& run) {
   return words;
 }
 
+void list_fields(const PictureGroup& group, const std::filesystem::path& folder, std::vector<Picture>& pictures) {
+  for (const FieldPictures& of : field_pictures(group, folder)) {
+    for (const std::size_t n : of.runs) {
+      const RunRecord& run = *group.runs[n];
+      Picture picture{group.file(run, of.shot),
+                      group.file(run, of.shot, "jpg"),
+                      group.dataset,
+                      of.shot,
+                      false,
+                      group.title + ": " + of.field->title,
+                      group.names[n],
+                      caption_of(*of.field, run),
+                      of.field->explanation};
+      if (std::filesystem::exists(folder / picture.file) && std::filesystem::exists(folder / picture.preview))
+        pictures.push_back(std::move(picture));
+    }
+  }
+}
+
 }  // namespace isobench

@@ -24,4 +24,7 @@ std::vector<FieldPictures> field_pictures(const PictureGroup& group, const std::
 /// The words below a picture: those of the field, and the seconds of its stage where the run has them.
 std::string caption_of(const FieldDeclaration& field, const RunRecord& run);
 
+/// Adds the pictures of fields that have a file.
+void list_fields(const PictureGroup& group, const std::filesystem::path& folder, std::vector<Picture>& pictures);
+
 }  // namespace isobench

@@ -27,21 +27,22 @@ std::optional<Eigen::Vector3d> marked_place(const FieldDeclaration& field, const
 
 }  // namespace
 
-double largest_value(const FieldDeclaration& field, const TriangleMesh& mesh) {
-  double largest = 0.0;
-  for (const auto* data : {&mesh.vertex_data, &mesh.triangle_data}) {
-    for (const double value : numbers_of(field, *data)) largest = std::max(largest, value);
-  }
-  return largest;
+double high_value(const FieldDeclaration& field, const TriangleMesh& mesh) {
+  std::vector<double> values = numbers_of(field, mesh.vertex_data);
+  if (values.empty()) values = numbers_of(field, mesh.triangle_data);
+  if (values.empty()) return 0.0;
+  const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
+  std::nth_element(values.begin(), high, values.end());
+  return *high;
 }
 
-Scene field_scene(const FieldDeclaration& field, const TriangleMesh& mesh, const RunRecord& run, double largest) {
+Scene field_scene(const FieldDeclaration& field, const TriangleMesh& mesh, const RunRecord& run, double brightest) {
   Scene scene;
   scene.mesh = &mesh;
   scene.vertex_values = numbers_of(field, mesh.vertex_data);
   scene.values = numbers_of(field, mesh.triangle_data);
   scene.legend = field.legend;
-  scene.high = field.brightest.value_or(std::max(largest, 1e-300));
+  scene.high = field.brightest.value_or(std::max(brightest, 1e-300));
   if (field.scale == FieldScale::logarithmic) {
     scene.logarithmic = true;
     scene.low = 1e-3 * scene.high;

@@ -7,11 +7,12 @@
 
 namespace isobench {
 
-/// The largest value that the mesh has of a field; 0 if it does not have the field.
-double largest_value(const FieldDeclaration& field, const TriangleMesh& mesh);
+/// The value of a field that one in a hundred of the mesh's values is above: single ones may be far beyond all others.
+/// 0 if the mesh does not have the field.
+double high_value(const FieldDeclaration& field, const TriangleMesh& mesh);
 
-/// The mesh coloured by the field, grey if it does not have it, with the place that the run's figures mark. `largest`:
-/// of all meshes that are shown side by side. Keeps a pointer to the mesh.
-Scene field_scene(const FieldDeclaration& field, const TriangleMesh& mesh, const RunRecord& run, double largest);
+/// The mesh coloured by the field, grey if it does not have it, with the place that the run's figures mark.
+/// `brightest`: the value of the brightest colour, unless the declaration says it. Keeps a pointer to the mesh.
+Scene field_scene(const FieldDeclaration& field, const TriangleMesh& mesh, const RunRecord& run, double brightest);
 
 }  // namespace isobench

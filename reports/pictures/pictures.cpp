@@ -138,28 +138,16 @@ void list_pictures(const PictureGroup& group, const fs::path& folder, Pictures& 
       const RunRecord& run = *group.runs[n];
       const std::vector<std::string> wanted = shots_of(group, run, folder);
       if (std::find(wanted.begin(), wanted.end(), shot) == wanted.end()) continue;
-      Picture picture{group.file(run, shot), group.file(run, shot, "jpg"), group.dataset, shot, group.grid, group.title,
-                      group.names[n],        caption_of(run, shot)};
-      if (!group.grid) picture.group += std::string(": ") + title;
-      if (fs::exists(folder / picture.file) && fs::exists(folder / picture.preview))
-        pictures.pictures.push_back(std::move(picture));
-    }
-  }
-}
-
-void list_fields(const PictureGroup& group, const fs::path& folder, Pictures& pictures) {
-  for (const FieldPictures& of : field_pictures(group, folder)) {
-    for (const std::size_t n : of.runs) {
-      const RunRecord& run = *group.runs[n];
-      Picture picture{group.file(run, of.shot),
-                      group.file(run, of.shot, "jpg"),
+      Picture picture{group.file(run, shot),
+                      group.file(run, shot, "jpg"),
                       group.dataset,
-                      of.shot,
-                      false,
-                      group.title + ": " + of.field->title,
+                      shot,
+                      group.grid,
+                      group.title,
                       group.names[n],
-                      caption_of(*of.field, run),
-                      of.field->explanation};
+                      caption_of(run, shot),
+                      ""};
+      if (!group.grid) picture.group += std::string(": ") + title;
       if (fs::exists(folder / picture.file) && fs::exists(folder / picture.preview))
         pictures.pictures.push_back(std::move(picture));
     }
@@ -287,7 +275,7 @@ Pictures make_pictures(const Results& results, const fs::path& folder) {
   for (const PictureGroup& group : groups) {
     if (group.grid) pictures.across = group.across;
     list_pictures(group, folder, pictures);
-    list_fields(group, folder, pictures);
+    list_fields(group, folder, pictures.pictures);
     list_others(group, folder, pictures);
   }
   return pictures;

@@ -107,6 +107,8 @@ TEST(DrawnPictures, MarkAPlaceThatTheMeshHides) {
   square.scene.marked = Eigen::Vector3d(0.5, 0.0, -1.0);
   const Pixels pixels(renderer.draw(square.scene, square.view).png);
   EXPECT_TRUE(is_red(pixels.at(133 + 30, 120)));
+  square.scene.marked->z() = 2.0;  // nearer to the eye than to the square
+  EXPECT_TRUE(is_red(Pixels(renderer.draw(square.scene, square.view).png).at(133 + 30, 120)));
   EXPECT_NEAR(pixels.count(is_red), 154, 60);  // π/4 · 14²
 }
 
