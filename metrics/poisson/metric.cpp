@@ -40,23 +40,27 @@ std::string largest_gradient_error(const Measurement& m) {
 }
 
 std::vector<FieldDeclaration> fields() {
-  return {{.name = "poisson_error",
-           .title = "the error of a solution of Poisson's equation",
-           .legend = "error",
-           .explanation = "Absolute error at the vertices, over the root mean square of the solution (poisson_max).",
-           .scale = FieldScale::logarithmic,
-           .runs = FieldRuns::first_and_worst,
-           .judged_by = "poisson_max",
-           .caption = largest_nodal_error},
-          {.name = "gradient_error",
-           .title = "the error of gradients",
-           .legend = "error",
-           .explanation = "Error of the gradient of a function that is interpolated in each triangle, over the root "
-                          "mean square of the true gradient (gradient_max).",
-           .scale = FieldScale::logarithmic,
-           .runs = FieldRuns::first_and_worst,
-           .judged_by = "gradient_max",
-           .caption = largest_gradient_error}};
+  return {
+      {.name = "poisson_error",
+       .title = "the error of a solution of Poisson's equation",
+       .legend = "error",
+       .explanation =
+           "Absolute error at the vertices, over the root mean square of the solution (poisson_max): the first method "
+           "beside the worst. Colours are logarithmic.",
+       .scale = FieldScale::logarithmic,
+       .runs = FieldRuns::first_and_worst,
+       .judged_by = "poisson_max",
+       .caption = largest_nodal_error},
+      {.name = "gradient_error",
+       .title = "the error of gradients",
+       .legend = "error",
+       .explanation = "Error of the gradient of a function that is interpolated in each triangle, over the root "
+                      "mean square of the true gradient (gradient_max): the first method beside the worst. Colours are "
+                      "logarithmic.",
+       .scale = FieldScale::logarithmic,
+       .runs = FieldRuns::first_and_worst,
+       .judged_by = "gradient_max",
+       .caption = largest_gradient_error}};
 }
 
 }  // namespace
