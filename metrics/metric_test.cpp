@@ -83,7 +83,9 @@ TEST(Metrics, FieldsAreDeclaredWholeAndOnce) {
   metric.fields[0].explanation = "no sentence";
   EXPECT_NE(complaint({metric}).find("does not declare its field 'heat' with"), std::string::npos);
   for (const FieldDeclaration& field : declared_fields()) {
-    if (!field.judged_by.empty()) EXPECT_NE(declared_figure(field.judged_by).better, Better::neither) << field.name;
+    if (!field.judged_by.empty()) {
+      EXPECT_NE(declared_figure(field.judged_by).better, Better::neither) << field.name;
+    }
     if (field.mark.empty()) continue;
     for (const char* axis : {"_x", "_y", "_z"}) EXPECT_EQ(declared_figure(field.mark + axis).unit, "mm") << field.name;
   }

@@ -153,7 +153,7 @@ TEST(CertifiedTopologyOfFaintNoise, IsProven) {
 TEST(CertifiedTopology, DoesNotDependOnThreads) {
   const FloatVolume field = noise(5, {20, 20, 20});
   const CertifiedTopology many = topology_of(field, 0.5);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const CertifiedTopology single = topology_of(field, 0.5);
   expect_topology(single, many.euler, many.components.size());
   for (std::size_t n = 0; n < single.components.size(); ++n) {

@@ -9,7 +9,7 @@
 #include "isobench/methods/closing/labelled_delaunay.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/particles/finish/finish.h"
-#include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/particles/mesh_edits/shape_energy.h"
 #include "isobench/methods/particles/relaxation/newton.h"
 #include "isobench/methods/particles/sampling/seeds.h"
 

@@ -30,7 +30,7 @@ Exhibits pictures_of(const TestFolder& folder, const std::string& dataset, const
     for (const char* shot : {shots::closer, shots::worst}) {
       const std::string name = fmt::format("pictures/{}-{}-{}", dataset, method, shot);
       folder.write(name + ".jpg", name);
-      exhibits.pictures.push_back({name + ".png", name + ".jpg", dataset, shot, false, dataset, method, ""});
+      exhibits.pictures.push_back({name + ".png", name + ".jpg", dataset, shot, false, dataset, method, "", ""});
     }
   }
   return exhibits;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "isobench/methods/mesh/triangle_mesh.h"
-#include "isobench/methods/particles/finish/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
 
 namespace isobench::particles {
 

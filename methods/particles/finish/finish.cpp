@@ -11,10 +11,10 @@
 
 #include "isobench/methods/mesh/self_intersections.h"
 #include "isobench/methods/particles/finish/changes.h"
-#include "isobench/methods/particles/finish/easing/easing.h"
-#include "isobench/methods/particles/finish/smoothing.h"
+#include "isobench/methods/particles/finish/easing.h"
 #include "isobench/methods/particles/finish/tail.h"
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/smoothing.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 namespace isobench::particles {
 

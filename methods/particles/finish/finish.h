@@ -17,7 +17,7 @@ struct FinishOptions {
 /// then smooths the vertices: it minimises an energy of shapes and areas (shape_energy.h), so that triangles become
 /// equilateral and as large as the sizing asks (asked_areas.h). After the rounds, local searches (bad_spots.h) improve
 /// the remaining bad spots: triangles, valences and edges that miss their goal. In the end, places that bounds on h
-/// made dense become as coarse again as they can be (easing/easing.h). Vertices at borders and pinches stay where they
+/// made dense become as coarse again as they can be (easing.h). Vertices at borders and pinches stay where they
 /// are. Searches and easing have budgets in proportion to the mesh; what the searches spend is counted as
 /// "finish/searched moves", the spots that are left as "finish/places left", and what easing did as "finish/bounds
 /// raised".

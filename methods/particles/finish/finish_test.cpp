@@ -13,8 +13,8 @@
 #include "isobench/methods/mesh/sample_meshes.h"
 #include "isobench/methods/mesh/self_intersections.h"
 #include "isobench/methods/method.h"
-#include "isobench/methods/particles/finish/bad_spots.h"
-#include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/particles/mesh_edits/bad_spots.h"
+#include "isobench/methods/particles/mesh_edits/shape_energy.h"
 #include "isobench/methods/testing/test_requests.h"
 
 namespace isobench::particles {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "isobench/methods/particles/finish/bad_spots.h"
+#include "isobench/methods/particles/mesh_edits/bad_spots.h"
 
 namespace isobench::particles {
 

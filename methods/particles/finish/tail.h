@@ -2,9 +2,9 @@
 #pragma once
 
 #include "isobench/foundation/monitor.h"
-#include "isobench/methods/particles/finish/editable_mesh.h"
-#include "isobench/methods/particles/finish/shortfall.h"
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/shortfall.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 namespace isobench::particles {
 

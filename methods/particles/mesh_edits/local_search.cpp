@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/local_search.h"
+#include "isobench/methods/particles/mesh_edits/local_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "isobench/methods/particles/finish/shape_energy.h"
-#include "isobench/methods/particles/finish/smoothing.h"
+#include "isobench/methods/particles/mesh_edits/shape_energy.h"
+#include "isobench/methods/particles/mesh_edits/smoothing.h"
 
 namespace isobench::particles {
 

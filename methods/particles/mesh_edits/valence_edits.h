@@ -4,9 +4,9 @@
 #include <cstddef>
 
 #include "isobench/datasets/isosurface.h"
-#include "isobench/methods/particles/finish/asked_areas.h"
-#include "isobench/methods/particles/finish/editable_mesh.h"
-#include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/particles/mesh_edits/asked_areas.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/shape_energy.h"
 #include "isobench/methods/sizing/sizing_field.h"
 
 namespace isobench::particles {

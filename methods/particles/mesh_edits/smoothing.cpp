@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/smoothing.h"
+#include "isobench/methods/particles/mesh_edits/smoothing.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

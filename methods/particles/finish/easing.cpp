@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/easing/easing.h"
+#include "isobench/methods/particles/finish/easing.h"
 
 #include <tbb/parallel_for.h>
 
@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "isobench/methods/particles/finish/easing/local_spectrum.h"
-#include "isobench/methods/particles/finish/easing/thinning.h"
+#include "isobench/methods/particles/finish/local_spectrum.h"
+#include "isobench/methods/particles/finish/thinning.h"
 
 namespace isobench::particles {
 

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "isobench/methods/particles/finish/smoothing.h"
+#include "isobench/methods/particles/mesh_edits/smoothing.h"
 
 namespace isobench::particles {
 

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "isobench/methods/mesh/mesh_facts.h"
-#include "isobench/methods/particles/finish/submesh.h"
+#include "isobench/methods/particles/mesh_edits/submesh.h"
 
 namespace isobench::particles {
 namespace {

@@ -1,9 +1,9 @@
 // A search for a better submesh around a bad spot: it tries changes of connectivity, each followed by smoothing.
 #pragma once
 
-#include "isobench/methods/particles/finish/shortfall.h"
-#include "isobench/methods/particles/finish/submesh.h"
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/shortfall.h"
+#include "isobench/methods/particles/mesh_edits/submesh.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 namespace isobench::particles {
 

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/easing/local_spectrum.h"
+#include "isobench/methods/particles/finish/local_spectrum.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/shape_energy.h"
+#include "isobench/methods/particles/mesh_edits/shape_energy.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

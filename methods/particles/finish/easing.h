@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "isobench/methods/particles/finish/local_search.h"
+#include "isobench/methods/particles/mesh_edits/local_search.h"
 #include "isobench/methods/particles/sampling/sized_surface.h"
 
 namespace isobench::particles {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "isobench/methods/particles/finish/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
 
 namespace isobench::particles {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
-#include "isobench/methods/particles/finish/editable_mesh.h"
-#include "isobench/methods/particles/finish/shape_energy.h"
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/shape_energy.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 namespace isobench::particles {
 

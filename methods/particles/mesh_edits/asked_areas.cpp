@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/asked_areas.h"
+#include "isobench/methods/particles/mesh_edits/asked_areas.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/submesh.h"
+#include "isobench/methods/particles/mesh_edits/submesh.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/shortfall.h"
+#include "isobench/methods/particles/mesh_edits/shortfall.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/bad_spots.h"
+#include "isobench/methods/particles/mesh_edits/bad_spots.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

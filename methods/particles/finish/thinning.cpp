@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/easing/thinning.h"
+#include "isobench/methods/particles/finish/thinning.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "isobench/methods/particles/finish/bad_spots.h"
-#include "isobench/methods/particles/finish/smoothing.h"
+#include "isobench/methods/particles/mesh_edits/bad_spots.h"
+#include "isobench/methods/particles/mesh_edits/smoothing.h"
 
 namespace isobench::particles {
 
@@ -21,7 +21,7 @@ constexpr int quick_sweeps = 4;
 constexpr int thorough_sweeps = 25;
 // Each bad triangle adds about 1 to the shortfall. Searches mend a few, not a place that has become too coarse.
 constexpr double hopeless = 6.0;
-constexpr std::array<SearchEffort, 4> searches{{{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}}};
+constexpr std::array<SearchEffort, 4> narrow_searches{{{3, 1, 1}, {3, 1, 1}, {4, 2, 3}, {4, 2, 3}}};
 
 void smooth_all(const FinishContext& context, EditableMesh& mesh, int sweeps, SearchBudget& budget) {
   std::vector<Index> all(mesh.vertex_count());
@@ -107,7 +107,7 @@ bool thin_out(const FinishContext& context, const AskedAreas& before, const Shap
   smooth_all(context, mesh, thorough_sweeps, budget);
   flip_for_shape(context, mesh);
   smooth_all(context, mesh, thorough_sweeps, budget);
-  for (const SearchEffort& effort : searches) {
+  for (const SearchEffort& effort : narrow_searches) {
     const double now = shortfall(context, mesh, goal);
     if (!(budget.moves > 0.0) || now <= short_before) break;
     if (now > short_before + hopeless) return false;

@@ -1,9 +1,9 @@
 // Thinning: the removal of vertices from one place of a mesh.
 #pragma once
 
-#include "isobench/methods/particles/finish/editable_mesh.h"
-#include "isobench/methods/particles/finish/local_search.h"
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/local_search.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 namespace isobench::particles {
 

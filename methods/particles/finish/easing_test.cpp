@@ -1,4 +1,4 @@
-#include "isobench/methods/particles/finish/easing/easing.h"
+#include "isobench/methods/particles/finish/easing.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -11,7 +11,7 @@
 #include "isobench/methods/method.h"
 #include "isobench/methods/particles/closing_stage.h"
 #include "isobench/methods/particles/finish/finish.h"
-#include "isobench/methods/particles/finish/shortfall.h"
+#include "isobench/methods/particles/mesh_edits/shortfall.h"
 #include "isobench/methods/particles/sampling_stages.h"
 #include "isobench/methods/testing/test_requests.h"
 

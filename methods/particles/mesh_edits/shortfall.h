@@ -1,8 +1,8 @@
 // How far a mesh is from the shapes, valences and edge lengths that the finish aims at.
 #pragma once
 
-#include "isobench/methods/particles/finish/editable_mesh.h"
-#include "isobench/methods/particles/finish/valence_edits.h"
+#include "isobench/methods/particles/mesh_edits/editable_mesh.h"
+#include "isobench/methods/particles/mesh_edits/valence_edits.h"
 
 namespace isobench::particles {
 
