@@ -33,7 +33,7 @@ std::string parameters_text(const Phantom& shape) {
   return text;
 }
 
-Dataset load_phantom(const Manifest& manifest, Monitor& monitor) {
+Dataset load_phantom(const Manifest& manifest, const SurfaceChoices& choices, Monitor& monitor) {
   Dataset dataset;
   dataset.title = manifest.title;
   dataset.checksum = manifest_checksum(manifest, {});
@@ -46,11 +46,11 @@ Dataset load_phantom(const Manifest& manifest, Monitor& monitor) {
     dataset.surface = std::make_unique<Isosurface>(sample_phantom(shape, manifest.phantom->nodes), 0.0, Inside::above,
                                                    manifest.kernel);
   }
-  settle_surface(dataset, manifest.choices, monitor);
+  settle_surface(dataset, choices, monitor);
   return dataset;
 }
 
-Dataset load_generated(const Manifest& manifest, Monitor& monitor) {
+Dataset load_generated(const Manifest& manifest, const SurfaceChoices& choices, Monitor& monitor) {
   Dataset dataset;
   dataset.title = manifest.title;
   dataset.checksum = manifest_checksum(manifest, {});
@@ -62,11 +62,11 @@ Dataset load_generated(const Manifest& manifest, Monitor& monitor) {
     dataset.surface =
         std::make_unique<Isosurface>(std::move(generated.volume), generated.isovalue, manifest.inside, manifest.kernel);
   }
-  settle_surface(dataset, manifest.choices, monitor);
+  settle_surface(dataset, choices, monitor);
   return dataset;
 }
 
-Dataset load_files(const Manifest& manifest, Monitor& monitor) {
+Dataset load_files(const Manifest& manifest, const SurfaceChoices& choices, Monitor& monitor) {
   Dataset dataset;
   dataset.title = manifest.title;
   const DataFiles data = locate_data(manifest, monitor);
@@ -81,7 +81,7 @@ Dataset load_files(const Manifest& manifest, Monitor& monitor) {
       dataset.surface =
           std::make_unique<Isosurface>(std::move(volume), manifest.isovalue, manifest.inside, manifest.kernel);
     }
-    settle_surface(dataset, manifest.choices, monitor);
+    settle_surface(dataset, choices, monitor);
   } catch (const DataError& error) {
     throw DataError(fmt::format("dataset '{}': {}", manifest.name, error.what()));
   }
@@ -117,11 +117,13 @@ std::string dataset_checksum(const std::string& name, const Place& place) {
 }
 
 Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place, double min_component) {
-  Manifest manifest = manifest_of(name, place);
-  manifest.choices.min_component = std::max(manifest.choices.min_component, min_component);
-  Dataset dataset = manifest.phantom     ? load_phantom(manifest, monitor)
-                    : manifest.generated ? load_generated(manifest, monitor)
-                                         : load_files(manifest, monitor);
+  const Manifest manifest = manifest_of(name, place);
+  // The checksum is that of the manifest as it stands, which the plan knows; a plan records its own choices.
+  SurfaceChoices choices = manifest.choices;
+  choices.min_component = std::max(choices.min_component, min_component);
+  Dataset dataset = manifest.phantom     ? load_phantom(manifest, choices, monitor)
+                    : manifest.generated ? load_generated(manifest, choices, monitor)
+                                         : load_files(manifest, choices, monitor);
   dataset.name = manifest.name;
   return dataset;
 }

@@ -81,6 +81,7 @@ TEST_F(CatalogueOfOne, FetchesOnceThenTakesTheCache) {
   EXPECT_EQ(cached.checksum, fetched.checksum);
   EXPECT_EQ(cached.checksum, dataset_checksum("ball"));
   Monitor monitor;
+  EXPECT_EQ(load_dataset("ball", monitor, {}, 5.0).checksum, cached.checksum) << "the experiment's choice is no data";
   EXPECT_EQ(fetch_dataset("ball", monitor), std::vector{folder.path() / "cache/ball/ball.nrrd"});
   // No incomplete file is left beside it.
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "cache/ball"), {}), 1);
@@ -217,6 +218,8 @@ TEST(Catalogue, PhantomsLoadWithTheirCentreInside) {
   const Dataset dataset = load_dataset("sphere", monitor);
   EXPECT_EQ(dataset.source, "phantom");
   EXPECT_EQ(dataset.checksum, dataset_checksum("sphere"));
+  for (const char* name : {"sphere", "wild-islands-001"})
+    EXPECT_EQ(load_dataset(name, monitor, {}, 5.0).checksum, dataset_checksum(name)) << name;
   EXPECT_GT(dataset.surface->value(dataset.surface->lattice().to_local(Eigen::Vector3d::Zero())), 0.0);
   EXPECT_NE(dataset.checksum, dataset_checksum("torus"));
 }
