@@ -46,8 +46,9 @@ PictureGroup dataset_group(const RunGrid& runs, const std::string& dataset, std:
     if (++meshes <= std::min(most, most_of_a_dataset)) add_run(group, *run, variant.name);
   }
   if (meshes > group.runs.size()) {
-    left_out.push_back(
-        fmt::format("{}: only the first {} of {} meshes have pictures.", dataset, group.runs.size(), meshes));
+    left_out.push_back(group.runs.empty() ? fmt::format("{}: none of {} meshes has a picture.", dataset, meshes)
+                                          : fmt::format("{}: only the first {} of {} meshes have pictures.", dataset,
+                                                        group.runs.size(), meshes));
   }
   return group;
 }

@@ -69,7 +69,7 @@ std::optional<OnSurface> on_surface(const Isosurface& surface, const Vector3d& x
 }  // namespace
 
 FinishEnergies finish_energies(const SizingField& sizing, double weight) {
-  if (sizing.uniform()) return {{5, 4, 0.04 * weight, 2.0}, {5, 5, 6e-4 * weight, 2.0}};
+  if (sizing.uniform()) return {{5, 4, 0.04 * weight, 2.0}, {5, 5, 1e-3 * weight, 2.0}};
   return {{5, 4, 0.01 * weight, 1.7}, {5, 4, 0.01 * weight, 1.7}};
 }
 
