@@ -5,12 +5,11 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <map>
+#include <utility>
 #include <vector>
 
+#include "isobench/foundation/union_find.h"
 #include "isobench/methods/isotropic-remeshing/remesh.h"
 
 namespace isobench::isotropic_remeshing {
@@ -22,16 +21,17 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-// Gives points in the same cell of a fine grid the same coordinates. Marching cubes puts several vertices next to a
-// node whose sample is the isovalue but for rounding, and CGAL's relaxation crashes at a vertex that has only flat
-// triangles (CGAL's issue 7345).
-void join_close_points(std::vector<Point>& points, double distance) {
-  std::map<std::array<double, 3>, Point> first;
-  for (Point& p : points) {
-    const std::array<double, 3> cell{std::round(p.x() / distance), std::round(p.y() / distance),
-                                     std::round(p.z() / distance)};
-    p = first.try_emplace(cell, p).first->second;
+// Gives the ends of very short edges the same coordinates. Marching cubes puts several vertices next to a node whose
+// sample is the isovalue but for rounding, and CGAL's relaxation crashes at a vertex that has only flat triangles
+// (CGAL's issue 7345).
+void join_close_points(const TriangleMesh& mesh, double distance, std::vector<Point>& points) {
+  UnionFind joined(points.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}}) {
+      if ((mesh.vertices[u] - mesh.vertices[v]).norm() < distance) joined.unite(u, v);
+    }
   }
+  for (std::uint32_t n = 0; n < points.size(); ++n) points[n] = points[joined.find(n)];
 }
 
 Mesh to_cgal(const TriangleMesh& mesh, double smallest_distance) {
@@ -41,7 +41,7 @@ Mesh to_cgal(const TriangleMesh& mesh, double smallest_distance) {
   std::vector<std::vector<std::size_t>> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2]});
-  join_close_points(points, smallest_distance);
+  join_close_points(mesh, smallest_distance, points);
   pmp::merge_duplicate_points_in_polygon_soup(points, triangles);
   std::erase_if(triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   pmp::orient_polygon_soup(points, triangles);

@@ -79,6 +79,7 @@ TriangleMesh mesh(const MeshingTask& task, Monitor& monitor) {
 Method method_isotropic_remeshing() {
   Method method;
   method.name = "isotropic-remeshing";
+  method.revision = 2;
   method.summary =
       "Marching cubes, then CGAL's isotropic remeshing to one edge length, then projection of the vertices to F = c "
       "(Botsch, Kobbelt 2004); uniform sizing only";

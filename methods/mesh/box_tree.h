@@ -41,6 +41,9 @@ class BoxTree {
     descend(levels_.size() - 1, 0, place, f);
   }
 
+  /// Whether a box of the tree overlaps or touches `box`.
+  bool meets(const Box& box) const { return size() > 0 && meets(box, levels_.size() - 1, 0); }
+
  private:
   static constexpr std::size_t fan = 4;
 
@@ -56,6 +59,16 @@ class BoxTree {
     for (std::size_t child = std::max(node * fan, place >> (2 * (level - 1))); child < end; ++child) {
       descend(level - 1, child, place, f);
     }
+  }
+
+  bool meets(const Box& box, std::size_t level, std::size_t node) const {
+    if (!levels_[level][node].intersects(box)) return false;
+    if (level == 0) return true;
+    const std::size_t end = std::min((node + 1) * fan, levels_[level - 1].size());
+    for (std::size_t child = node * fan; child < end; ++child) {
+      if (meets(box, level - 1, child)) return true;
+    }
+    return false;
   }
 
   std::vector<Index> order_;              // by position: the index of the box

@@ -7,9 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
 
 #include "isobench/methods/mesh/box_tree.h"
 
@@ -86,55 +83,21 @@ Eigen::AlignedBox3d box_of(const TriangleMesh& mesh, std::uint32_t triangle) {
   return box;
 }
 
-/// The cells of a grid that boxes reach into.
-class ReachedCells {
- public:
-  explicit ReachedCells(double width) : width_(width) {}
-
-  void add(const Eigen::AlignedBox3d& box) {
-    visit(box, [this](const Cell& cell) {
-      cells_.insert(cell);
-      return false;
-    });
-  }
-  bool are_reached(const Eigen::AlignedBox3d& box) const {
-    return visit(box, [this](const Cell& cell) { return cells_.contains(cell); });
-  }
-
- private:
-  using Cell = std::array<std::int64_t, 3>;
-
-  /// Calls `found(cell)` for the cells of a box until it returns true; returns whether it did.
-  template <class Found>
-  bool visit(const Eigen::AlignedBox3d& box, Found&& found) const {
-    const auto cell = [this](double x) { return static_cast<std::int64_t>(std::floor(x / width_)); };
-    for (std::int64_t k = cell(box.min()[2]); k <= cell(box.max()[2]); ++k) {
-      for (std::int64_t j = cell(box.min()[1]); j <= cell(box.max()[1]); ++j) {
-        for (std::int64_t i = cell(box.min()[0]); i <= cell(box.max()[0]); ++i) {
-          if (found({i, j, k})) return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  double width_;
-  std::set<Cell> cells_;
-};
-
 /// The triangles that may meet a marked one, those included.
 std::vector<std::uint32_t> triangles_near(const TriangleMesh& mesh, const std::vector<std::uint8_t>& marked) {
-  std::vector<std::uint32_t> near;
-  if (std::find(marked.begin(), marked.end(), 1) == marked.end()) return near;
-  // As wide as the largest triangle, so that no triangle reaches into more than eight cells.
-  double width = 0.0;
-  for (std::uint32_t t = 0; t < marked.size(); ++t) width = std::max(width, box_of(mesh, t).sizes().maxCoeff());
-  ReachedCells reached(std::max(width, std::numeric_limits<double>::min()));
+  std::vector<Eigen::AlignedBox3d> boxes;
   for (std::uint32_t t = 0; t < marked.size(); ++t) {
-    if (marked[t] != 0) reached.add(box_of(mesh, t));
+    if (marked[t] != 0) boxes.push_back(box_of(mesh, t));
   }
-  for (std::uint32_t t = 0; t < marked.size(); ++t) {
-    if (reached.are_reached(box_of(mesh, t))) near.push_back(t);
+  const BoxTree tree(boxes);
+  std::vector<std::uint8_t> is_near(marked.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, is_near.size(), 1024), [&](const auto& range) {
+    for (std::size_t t = range.begin(); t < range.end(); ++t)
+      is_near[t] = tree.meets(box_of(mesh, static_cast<std::uint32_t>(t))) ? 1 : 0;
+  });
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t t = 0; t < is_near.size(); ++t) {
+    if (is_near[t] != 0) near.push_back(t);
   }
   return near;
 }

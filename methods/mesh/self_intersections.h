@@ -22,8 +22,8 @@ namespace isobench {
 /// 1 s per million triangles.
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh);
 
-/// The same, but only pairs with a triangle that is marked: `marked` has one entry for each triangle. Fast if the
-/// marked triangles are few and lie together: 30 ms per million triangles, and the time of those near them.
+/// The same, but only pairs with a triangle that is marked: `marked` has one entry for each triangle. A tree
+/// over the marked triangles finds those near them; the rest costs one look each.
 std::vector<std::array<std::uint32_t, 2>> self_intersections(const TriangleMesh& mesh,
                                                              const std::vector<std::uint8_t>& marked);
 

@@ -6,10 +6,9 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <algorithm>
-#include <fstream>
 #include <limits>
 
 #include "isobench/datasets/formats/vtk_messages.h"
@@ -138,20 +137,14 @@ TriangleMesh read_vtp(const std::filesystem::path& path) {
 }
 
 std::set<std::string> data_names(const std::filesystem::path& path) {
-  constexpr std::size_t enough = 65536;  // each array takes some 200 bytes there
-  std::string head(enough, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  head.resize(std::min(head.size(), head.find("<AppendedData")));
-  // The arrays of points and polygons come after those of data.
-  head.resize(std::min(head.size(), head.find("<Points>")));
-  static const std::string key = " Name=\"";
   std::set<std::string> names;
-  for (std::size_t at = head.find(key); at != std::string::npos; at = head.find(key, at + 1)) {
-    const std::size_t begin = at + key.size();
-    names.insert(head.substr(begin, head.find('"', begin) - begin));
-  }
+  if (!std::filesystem::exists(path)) return names;
+  const VtkMessages messages;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  for (int n = 0; n < reader->GetNumberOfPointArrays(); ++n) names.insert(reader->GetPointArrayName(n));
+  for (int n = 0; n < reader->GetNumberOfCellArrays(); ++n) names.insert(reader->GetCellArrayName(n));
   return names;
 }
 
