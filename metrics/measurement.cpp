@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "isobench/foundation/error.h"
+#include "isobench/metrics/finite_elements/screened_system.h"
 #include "isobench/metrics/finite_elements/step_factor.h"
 #include "isobench/metrics/metric_input.h"
 
@@ -89,6 +90,11 @@ void Measurement::set_unknown(std::size_t figure) {
   unknown_.insert(std::lower_bound(unknown_.begin(), unknown_.end(), figure), static_cast<std::uint16_t>(figure));
 }
 
+MetricInput::MetricInput(const TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor)
+    : mesh_(mesh), against_(against), monitor_(monitor) {}
+
+MetricInput::~MetricInput() = default;
+
 const std::vector<HalfEdge>& MetricInput::half_edges() {
   if (!half_edges_) half_edges_ = sorted_half_edges(mesh_);
   return *half_edges_;
@@ -100,8 +106,19 @@ const MeshEdges& MetricInput::edges() {
 }
 
 const FiniteElements& MetricInput::finite_elements() {
-  if (!finite_elements_) finite_elements_ = isobench::finite_elements(mesh_, half_edges());
+  if (!finite_elements_) {
+    finite_elements_ = std::make_unique<FiniteElements>(isobench::finite_elements(mesh_, half_edges()));
+  }
   return *finite_elements_;
+}
+
+const ScreenedSystem& MetricInput::screened_system() {
+  const FiniteElements& elements = finite_elements();
+  if (!screened_system_) {
+    const auto stage = monitor_.stage("factorize");
+    screened_system_ = std::make_unique<ScreenedSystem>(isobench::screened_system(elements));
+  }
+  return *screened_system_;
 }
 
 std::optional<double> MetricInput::uniform_step_factor() {

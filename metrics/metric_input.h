@@ -1,24 +1,30 @@
 // What a metric is given to measure, and where it puts what it measured.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "isobench/metrics/finite_elements/finite_elements.h"
 #include "isobench/metrics/measurement.h"
 #include "isobench/metrics/mesh_edges/mesh_edges.h"
 
 namespace isobench {
+
+// Their headers are long, and few metrics need them.
+struct FiniteElements;
+struct ScreenedSystem;
 
 /// A mesh with what it is measured against. Parts that several metrics need are computed at the first call and kept.
 /// Without locks: metrics run one after the other.
 class MetricInput {
  public:
   /// Keeps references.
-  MetricInput(const TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor)
-      : mesh_(mesh), against_(against), monitor_(monitor) {}
+  MetricInput(const TriangleMesh& mesh, const MeasuredAgainst& against, Monitor& monitor);
+  ~MetricInput();
+  MetricInput(const MetricInput&) = delete;
+  MetricInput& operator=(const MetricInput&) = delete;
 
   /// In the lattice frame of the surface; a mesh that is measured without a surface is in its file's frame.
   const TriangleMesh& mesh() const { return mesh_; }
@@ -33,6 +39,9 @@ class MetricInput {
   const std::vector<HalfEdge>& half_edges();
   const MeshEdges& edges();
   const FiniteElements& finite_elements();
+  /// Its seconds are booked to a stage "factorize" of the metric that asks first. Precondition: the finite elements are
+  /// regular.
+  const ScreenedSystem& screened_system();
   /// step_factor() for h² = finite_elements().mean_squared_edge() everywhere: h² times the largest eigenvalue of M⁻¹K.
   /// std::nullopt where it is not found. Precondition: the finite elements are regular.
   std::optional<double> uniform_step_factor();
@@ -47,7 +56,8 @@ class MetricInput {
   Monitor& monitor_;
   std::optional<std::vector<HalfEdge>> half_edges_;
   std::optional<MeshEdges> edges_;
-  std::optional<FiniteElements> finite_elements_;
+  std::unique_ptr<const FiniteElements> finite_elements_;
+  std::unique_ptr<const ScreenedSystem> screened_system_;
   std::optional<std::optional<double>> step_factor_;  ///< the inner one: whether it was found
   std::optional<std::vector<double>> h0_;
   std::optional<CertifiedTopology> topology_;

@@ -6,24 +6,14 @@
 
 namespace isobench {
 
-namespace {
-
-/// D^-½ for the diagonal D.
-Eigen::VectorXd jacobi(const SparseMatrix& a) { return a.diagonal().cwiseSqrt().cwiseInverse(); }
-
-}  // namespace
-
-std::optional<double> condition(const FiniteElements& elements, Monitor& monitor) {
+std::optional<double> condition(const FiniteElements& elements, const ScreenedSystem& system, Monitor& monitor) {
   constexpr double tolerance = 1e-7;
   constexpr int max_steps = 2000;
-  SparseMatrix a = screened_stiffness(elements);
-  a = scaled(a, jacobi(a));
-  const auto factors = factorized(a);
-  if (factors == nullptr) return std::nullopt;
-  const auto times_a = [&a](const Eigen::VectorXd& x, Eigen::VectorXd& y) { multiply(a, x, y); };
-  const auto over_a = [&factors](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = factors->solve(x); };
-  const auto largest = largest_eigenvalue(a.rows(), times_a, nullptr, tolerance, max_steps, monitor);
-  const auto inverse_of_smallest = largest_eigenvalue(a.rows(), over_a, nullptr, tolerance, max_steps, monitor);
+  if (system.factors == nullptr) return std::nullopt;
+  const auto times = [&system](const Eigen::VectorXd& x, Eigen::VectorXd& y) { multiply(system.matrix, x, y); };
+  const auto over = [&system](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = system.factors->solve(x); };
+  const auto largest = largest_eigenvalue(elements.size(), times, nullptr, tolerance, max_steps, monitor);
+  const auto inverse_of_smallest = largest_eigenvalue(elements.size(), over, nullptr, tolerance, max_steps, monitor);
   if (!largest || !inverse_of_smallest) return std::nullopt;
   return *largest * *inverse_of_smallest * elements.mean_squared_edge() / elements.squared_radius();
 }
@@ -56,11 +46,9 @@ std::optional<int> conjugate_gradient_steps(const SparseMatrix& a, const Eigen::
   return std::nullopt;
 }
 
-std::optional<int> jacobi_steps(const FiniteElements& elements, Monitor& monitor) {
-  const SparseMatrix a = screened_stiffness(elements);
-  const Eigen::VectorXd scale = jacobi(a);
-  const Eigen::VectorXd b = scale.cwiseProduct(random_vector(a.rows(), 1));
-  return conjugate_gradient_steps(scaled(a, scale), b, 1e-8, 20000, monitor);
+std::optional<int> jacobi_steps(const ScreenedSystem& system, Monitor& monitor) {
+  const Eigen::VectorXd b = system.scale.cwiseProduct(random_vector(system.scale.size(), 1));
+  return conjugate_gradient_steps(system.matrix, b, 1e-8, 20000, monitor);
 }
 
 }  // namespace isobench

@@ -7,8 +7,9 @@ namespace {
 void measure(MetricInput& input, MetricOutput& output) {
   const FiniteElements& elements = input.finite_elements();
   if (!elements.regular) return;
-  output.set("condition", condition(elements, input.monitor()));
-  output.set("cg_iterations", jacobi_steps(elements, input.monitor()));
+  const ScreenedSystem& system = input.screened_system();
+  output.set("condition", condition(elements, system, input.monitor()));
+  output.set("cg_iterations", jacobi_steps(system, input.monitor()));
 }
 
 }  // namespace

@@ -111,10 +111,6 @@ FiniteElements finite_elements(const TriangleMesh& mesh, const std::vector<HalfE
   return result;
 }
 
-SparseMatrix screened_stiffness(const FiniteElements& elements) {
-  return elements.stiffness + elements.mass / elements.squared_radius();
-}
-
 Eigen::VectorXd asked_lengths(const FiniteElements& elements, const TriangleMesh& mesh, const SizingField* sizing) {
   Eigen::VectorXd h = Eigen::VectorXd::Ones(elements.size());
   if (sizing != nullptr && !sizing->uniform()) {

@@ -45,9 +45,6 @@ struct FiniteElements {
 /// with borders, with edges of three triangles, with triangles that have no area.
 FiniteElements finite_elements(const TriangleMesh& mesh, const std::vector<HalfEdge>& sides);
 
-/// K + M/L², the matrix of u/L² − Δu: K with a term that makes the solution unique, on every component of any mesh.
-SparseMatrix screened_stiffness(const FiniteElements& elements);
-
 /// The edge length h_i that was asked for at each unknown, scaled by one factor so that the cells of hexagonal lattices
 /// with these lengths, Σ (√3/2) h_i², have the mesh's area: otherwise meshes with longer edges than asked for would
 /// win. A uniform sizing, or none, gives the same length everywhere. mm. Precondition: there is an unknown.

@@ -1,6 +1,22 @@
 #include "isobench/metrics/finite_elements/sparse_matrix.h"
 
+#include <Eigen/SparseCholesky>
+
 namespace isobench {
+
+namespace {
+
+class SimplicialFactorization : public Factorization {
+ public:
+  explicit SimplicialFactorization(const SparseMatrix& a) : factors_(a) {}
+  bool exists() const { return factors_.info() == Eigen::Success && factors_.vectorD().minCoeff() > 0.0; }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const override { return factors_.solve(b); }
+
+ private:
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+};
+
+}  // namespace
 
 double ordered_dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return ordered_sum(a.size(), [&](Eigen::Index first, Eigen::Index length) {
@@ -33,10 +49,8 @@ Eigen::VectorXd random_vector(Eigen::Index size, std::uint64_t seed) {
 }
 
 std::unique_ptr<Factorization> factorized(const SparseMatrix& a) {
-  auto factors = std::make_unique<Factorization>();
-  factors->compute(a);
-  const bool is_positive = factors->info() == Eigen::Success && factors->vectorD().minCoeff() > 0.0;
-  return is_positive ? std::move(factors) : nullptr;
+  auto factors = std::make_unique<SimplicialFactorization>(a);
+  return factors->exists() ? std::move(factors) : nullptr;
 }
 
 }  // namespace isobench

@@ -20,9 +20,10 @@ void measure(MetricInput& input, MetricOutput& output) {
   const bool closed = std::count(elements.on_border.begin(), elements.on_border.end(), 0) == elements.size();
   const bool all = std::all_of(elements.vertex.begin(), elements.vertex.end(), [&](auto v) { return feet[v].exists; });
   if (!closed || !all) return;
-  // Reports add these seconds to those of meshing.
+  const ScreenedSystem& system = input.screened_system();
+  // Reports add these seconds, and those of the factors, to those of meshing.
   const auto stage = input.monitor().stage("solve");
-  if (const auto errors = poisson_errors(elements, feet)) {
+  if (const auto errors = poisson_errors(elements, system, feet)) {
     output.set("poisson_max", errors->max);
     output.set("poisson_l2", errors->l2);
     std::vector<double> at_vertices(input.mesh().vertices.size(), 0.0);

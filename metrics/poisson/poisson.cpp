@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "isobench/metrics/finite_elements/sparse_matrix.h"
-
 namespace isobench {
 
 namespace {
@@ -50,7 +48,8 @@ double ManufacturedSolution::surface_laplacian(const FootPoint& foot) const {
   return second.trace() - n.dot(second * n) - 2.0 * foot.mean_curvature() * n.dot(gradient(foot.x));
 }
 
-std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, const std::vector<FootPoint>& feet) {
+std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, const ScreenedSystem& system,
+                                            const std::vector<FootPoint>& feet) {
   const ManufacturedSolution solution(std::sqrt(elements.squared_radius()));
   Eigen::VectorXd u(elements.size());
   Eigen::VectorXd f(elements.size());
@@ -59,10 +58,8 @@ std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, cons
     u[i] = solution.value(foot.x);
     f[i] = u[i] / elements.squared_radius() - solution.surface_laplacian(foot);
   }
-  if (!f.allFinite()) return std::nullopt;
-  const auto factors = factorized(screened_stiffness(elements));
-  if (factors == nullptr) return std::nullopt;
-  const Eigen::VectorXd error = factors->solve(elements.mass * f) - u;
+  if (!f.allFinite() || system.factors == nullptr) return std::nullopt;
+  const Eigen::VectorXd error = system.solve(elements.mass * f) - u;
   const double squares = u.dot(elements.lumped_mass.cwiseProduct(u));
   const double rms = std::sqrt(squares / elements.area);
   return PoissonErrors{error.cwiseAbs().maxCoeff() / rms,

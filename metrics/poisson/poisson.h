@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "isobench/metrics/finite_elements/finite_elements.h"
+#include "isobench/metrics/finite_elements/screened_system.h"
 #include "isobench/metrics/foot_points/foot_points.h"
 
 namespace isobench {
@@ -40,9 +40,10 @@ struct GradientErrors {
 
 /// Solves (K + M/L²) U = M f with f = u/L² − Δ_Γ u at the vertices' foot points, and compares U with u there. Errors
 /// are over u's root mean square. L is the radius of a sphere with the mesh's area; u/L² makes the solution unique on
-/// each component. std::nullopt where rounding makes the matrix indefinite. The cost is that of factorized().
-/// Preconditions: regular elements, a mesh without border, all feet exist. One foot a vertex of the mesh.
-std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, const std::vector<FootPoint>& feet);
+/// each component. std::nullopt where the system, which is that of the elements, has no factors. Preconditions: regular
+/// elements, a mesh without border, all feet exist. One foot a vertex of the mesh.
+std::optional<PoissonErrors> poisson_errors(const FiniteElements& elements, const ScreenedSystem& system,
+                                            const std::vector<FootPoint>& feet);
 
 /// |∇(Iu) − ∇_Γ u| of each triangle and the largest, over the root mean square of ∇_Γ u: Iu is linear and has the
 /// values of u at the foot points of the corners; ∇_Γ u is taken at the foot point of the centroid. std::nullopt where

@@ -1,6 +1,7 @@
 // Areas of vertices: a third of the area of the triangles around each.
 #include <numbers>
 
+#include "isobench/metrics/finite_elements/finite_elements.h"
 #include "isobench/metrics/metric_input.h"
 
 namespace isobench {

@@ -26,7 +26,8 @@ inline RunRecord sample_level(const std::string& dataset, const std::string& lab
   record.request.sizing.vertices = vertices;
   record.request.run += "-" + std::to_string(static_cast<int>(vertices));
   record.sizing->uniform = true;
-  record.stages.push_back({"measure/poisson/solve", 0.75, 0.75});
+  record.stages.push_back({"measure/conditioning/factorize", 0.5, 0.5});
+  record.stages.push_back({"measure/poisson/solve", 0.25, 0.25});
   Measurement& m = *record.measurement;
   m.set("vertices", vertices);
   m.set("triangles", 2.0 * vertices);
