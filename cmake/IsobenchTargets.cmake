@@ -163,6 +163,13 @@ function(isobench_batch_rooms)
   endforeach()
 endfunction()
 
+# isobench_batch(target …): with ISOBENCH_UNITY, compiles the sources of a target by the dozen, whatever their folders.
+function(isobench_batch)
+  if(ISOBENCH_UNITY)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  endif()
+endfunction()
+
 # isobench_registry(output KIND kind FILES file …): a source file that lists all methods or all metrics. KIND is
 # "method" or "metric"; each FILE is the method.cpp or metric.cpp in a folder with the name of the method or metric. The
 # lists are explicit, because linkers drop objects that register themselves.

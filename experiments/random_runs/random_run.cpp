@@ -58,6 +58,9 @@ FileSurface random_surface(const RandomVolume& volume, RandomNumbers& random) {
   return asked;
 }
 
+// With the Catmull-Rom spline, the derivatives of F are not those of its values, and no mesh can follow both.
+bool keeps_promises(const RandomRun& run) { return run.asked.kernel != Kernel::catmull_rom; }
+
 void mesh_and_judge(const RandomRun& run, double most_vertices, const std::filesystem::path& file,
                     RandomRunResult& result) {
   Monitor monitor;
@@ -66,8 +69,7 @@ void mesh_and_judge(const RandomRun& run, double most_vertices, const std::files
   const TriangleMesh mesh = mesh_and_measure(dataset, run.request, monitor, record, {.most_vertices = most_vertices});
   result.vertices = static_cast<double>(mesh.vertices.size());
   result.figures = figures_text(*record.measurement);
-  // Otherwise the derivatives of F are not those of its values, and no mesh can follow both.
-  if (run.asked.kernel != Kernel::catmull_rom) result.wrong = broken_promises(run.request, mesh, *record.measurement);
+  if (keeps_promises(run)) result.wrong = broken_promises(run.request, mesh, *record.measurement);
 }
 
 }  // namespace
@@ -117,7 +119,7 @@ RandomRunResult carry_out(const RandomRun& run, double most_vertices, const std:
   } catch (const Skipped& error) {
     result.refusal = error.what();
   } catch (const Error& error) {
-    if (promises_mesh(run.request)) result.wrong.push_back(fmt::format("fails: {}", error.what()));
+    if (keeps_promises(run) && promises_mesh(run.request)) result.wrong.push_back(fmt::format("fails: {}", error.what()));
     result.refusal = error.what();
   } catch (const std::exception& error) {
     result.wrong.push_back(fmt::format("is no refusal: {}", error.what()));

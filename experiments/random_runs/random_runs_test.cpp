@@ -59,7 +59,7 @@ TEST_P(ShortRandomRuns, EndWithARightMeshOrASentence) {
   EXPECT_GE(meshes, short_runs / 4);  // otherwise the volumes or the requests are of no use
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, ShortRandomRuns, testing::Values(1, 11, 21, 31), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Seeds, ShortRandomRuns, testing::Values(1, 11, 21, 61), testing::PrintToStringParamName());
 
 TEST(RandomRunsLong, EndWithARightMeshOrASentence) {
   const bool one = std::getenv("ISOBENCH_RANDOM_SEED") != nullptr;

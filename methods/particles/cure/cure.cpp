@@ -54,7 +54,8 @@ class Curing {
         particles_(particles),
         delaunay_(delaunay),
         component_(components_at(topology, particles.points)),
-        has_facet_(particles.size(), 1) {
+        has_facet_(particles.size(), 1),
+        lost_components_(sized.surface(), topology) {
     check_all_next();
   }
 
@@ -220,8 +221,8 @@ class Curing {
     for (std::uint32_t n = 0; n < facets_.size(); ++n) {
       if (defective[n] != 0 || crossed[n] != 0) found.facets.push_back(n);
     }
-    lost_components_ = lost_components(sized_.surface(), topology_, component_, has_facet_);
-    found.defects.lost = lost_components_.size();
+    lost_ = lost_components_.find(component_, has_facet_);
+    found.defects.lost = lost_.size();
     note_progress(found);
 
     unchecked_ = found.isolated;
@@ -255,7 +256,7 @@ class Curing {
       propose_ring_around(n);
       if (proposed_.size() == before) relaxation_centres_.push_back(particles_.points[n]);
     }
-    for (const auto& component : lost_components_) {
+    for (const auto& component : lost_) {
       for (const Eigen::Vector3d& x : component) {
         const auto foot = sized_.surface().project(x);
         if (foot) propose(*foot, 0);
@@ -376,7 +377,8 @@ class Curing {
   std::vector<char> has_facet_;                                // of each particle
   std::vector<std::uint32_t> unchecked_;                       // particles whose facets find_defects() has to check
   std::vector<Facet> facets_;                                  // the facets that find_defects() has checked last
-  std::vector<std::vector<Eigen::Vector3d>> lost_components_;  // points on each lost component
+  LostComponents lost_components_;
+  std::vector<std::vector<Eigen::Vector3d>> lost_;  // points on each lost component
   std::vector<Eigen::Vector3d> proposed_;
   std::vector<Eigen::Vector3d> relaxation_centres_;
   std::size_t most_particles_ = 0;

@@ -9,11 +9,23 @@
 
 namespace isobench::particles {
 
-/// For each component to which no counted point belongs and that is not left out: up to 16 points, spread over it.
-/// `of_points` (components_at()) and `counted` have one entry for each point; a point counts if its entry in `counted`
-/// is not 0.
-std::vector<std::vector<Eigen::Vector3d>> lost_components(const Isosurface& surface, const CertifiedTopology& topology,
-                                                          const std::vector<std::uint32_t>& of_points,
-                                                          const std::vector<char>& counted);
+class LostComponents {
+ public:
+  /// Keeps references.
+  LostComponents(const Isosurface& surface, const CertifiedTopology& topology);
+
+  /// For each component to which no counted point belongs and that is not left out: up to 16 points, spread over it; a
+  /// component on which none is found is missing. `of_points` (components_at()) and `counted` have one entry for each
+  /// point; a point counts if its entry in `counted` is not 0. The first call for a component projects eight points for
+  /// each of its boxes; later ones remember the result.
+  std::vector<std::vector<Eigen::Vector3d>> find(const std::vector<std::uint32_t>& of_points,
+                                                 const std::vector<char>& counted);
+
+ private:
+  const Isosurface& surface_;
+  const CertifiedTopology& topology_;
+  std::vector<char> is_known_;                        // of each component
+  std::vector<std::vector<Eigen::Vector3d>> points_;  // of each component that is known
+};
 
 }  // namespace isobench::particles
