@@ -7,6 +7,8 @@
 #include <CGAL/Mesh_facet_topology.h>
 #include <CGAL/Mesh_triangulation_3.h>
 
+#include <array>
+#include <filesystem>
 #include <tuple>
 #if CGAL_VERSION_NR < 1060000000
 #include <boost/optional.hpp>
@@ -14,6 +16,7 @@
 #include <optional>
 #endif
 
+#include "isobench/methods/cgal_failure.h"
 #include "isobench/methods/delaunay-refinement/cgal_oracle.h"
 
 namespace isobench::delaunay_refinement {
@@ -101,6 +104,27 @@ struct RadiusBound {  // NOLINTBEGIN(readability-identifier-naming): the concept
   double factor;
 };  // NOLINTEND(readability-identifier-naming)
 
+/// Where Mesh_3 stops at one of its own checks, it leaves its state in two files of the working folder. This removes
+/// them, unless files of these names were there before.
+class NoDumps {
+ public:
+  NoDumps() {
+    for (std::size_t n = 0; n < names.size(); ++n) existed_[n] = std::filesystem::exists(names[n]);
+  }
+  ~NoDumps() {
+    std::error_code ignored;
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      if (!existed_[n]) std::filesystem::remove(names[n], ignored);
+    }
+  }
+  NoDumps(const NoDumps&) = delete;
+  NoDumps& operator=(const NoDumps&) = delete;
+
+ private:
+  static constexpr std::array names = {"dump-bug.mesh", "dump-bug.binary.cgal"};
+  std::array<bool, names.size()> existed_{};
+};
+
 template <class Concurrency>
 class RefinementByMesh3 final : public Refinement {
  public:
@@ -123,7 +147,10 @@ class RefinementByMesh3 final : public Refinement {
     // These are the steps of CGAL::refine_mesh_3 without its cell optimisers, which take a minute and 2 GB to compile.
     CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain> mesher(complex_, domain_, criteria, CGAL::MANIFOLD, 0, nullptr,
                                                              &stop_);
-    mesher.refine_mesh();
+    with_cgal("delaunay-refinement", [&mesher] {
+      const NoDumps no_dumps;
+      mesher.refine_mesh();
+    });
     problem_.monitor.check();
     complex_.clear_manifold_info();
     MeshOfFacets<typename Triangulation::Vertex_handle> mesh;

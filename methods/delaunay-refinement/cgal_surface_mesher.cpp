@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
 
+#include "isobench/methods/cgal_failure.h"
 #include "isobench/methods/delaunay-refinement/cgal_oracle.h"
 
 namespace isobench::delaunay_refinement {
@@ -72,8 +73,10 @@ class RefinementBySurfaceMesher final : public Refinement {
     mesher::Curvature_size_criterion<Triangulation> distances(problem_.distance);
     const mesher::Standard_criteria<Criterion> criteria({&angles, &sizes, &distances});
     const bool is_first = triangulation_.number_of_vertices() == 0;
-    CGAL::make_surface_mesh(complex_, problem_, Oracle(), criteria, CGAL::Manifold_tag(),
-                            is_first ? static_cast<int>(problem_.seeds.size()) : 0);
+    with_cgal("delaunay-refinement", [&] {
+      CGAL::make_surface_mesh(complex_, problem_, Oracle(), criteria, CGAL::Manifold_tag(),
+                              is_first ? static_cast<int>(problem_.seeds.size()) : 0);
+    });
     MeshOfFacets<Triangulation::Vertex_handle> mesh;
     for (auto facet = complex_.facets_begin(); facet != complex_.facets_end(); ++facet)
       mesh.add(facet->first, facet->second, is_inside(facet->first));

@@ -30,7 +30,7 @@ class Refinement {
   virtual ~Refinement() = default;
   /// Refines until every facet's surface ball (centred on F = c, through the facet's corners, without vertices inside)
   /// has a radius of at most `factor`·h at its centre and the facets form a closed manifold. A later call continues
-  /// from the present mesh, so factors must not grow. Throws Cancelled.
+  /// from the present mesh, so factors must not grow. Throws Cancelled, and Error where CGAL does not go on.
   virtual TriangleMesh refine(double factor) = 0;
 
  protected:

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "isobench/foundation/union_find.h"
+#include "isobench/methods/cgal_failure.h"
 #include "isobench/methods/isotropic-remeshing/remesh.h"
 
 namespace isobench::isotropic_remeshing {
@@ -74,8 +75,10 @@ TriangleMesh from_cgal(Mesh& mesh) {
 TriangleMesh remesh(const TriangleMesh& mesh, double edge_length, int iterations) {
   constexpr double negligible = 1e-7;
   Mesh work = to_cgal(mesh, negligible * edge_length);
-  pmp::isotropic_remeshing(work.faces(), edge_length, work,
-                           CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations)));
+  with_cgal("isotropic-remeshing", [&] {
+    pmp::isotropic_remeshing(work.faces(), edge_length, work,
+                             CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations)));
+  });
   TriangleMesh result = from_cgal(work);
   drop_unused_vertices(result);
   return result;
