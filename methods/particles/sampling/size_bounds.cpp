@@ -45,7 +45,7 @@ std::int32_t SizeBounds::Grid::list_at(const Vector3d& x) const {
   return found == list_of_narrow_brick.end() ? -1 : found->second;
 }
 
-std::vector<std::uint32_t>& SizeBounds::Grid::list_for(std::uint64_t at) {
+SizeBounds::List& SizeBounds::Grid::list_for(std::uint64_t at) {
   std::int32_t& list = is_narrow ? list_of_narrow_brick.try_emplace(at, -1).first->second : list_of_brick[at];
   if (list < 0) {
     list = static_cast<std::int32_t>(lists.size());
@@ -105,14 +105,16 @@ void SizeBounds::add(const std::vector<SizeBound>& bounds) {
   std::vector<std::uint32_t> added(bounds.size());
   std::iota(added.begin(), added.end(), static_cast<std::uint32_t>(bounds_.size()));
   bounds_.insert(bounds_.end(), bounds.begin(), bounds.end());
-  const auto is_smaller = [this](std::uint32_t a, std::uint32_t b) { return bounds_[a].h < bounds_[b].h; };
-  std::stable_sort(added.begin(), added.end(), is_smaller);
+  std::stable_sort(added.begin(), added.end(),
+                   [this](std::uint32_t a, std::uint32_t b) { return bounds_[a].h < bounds_[b].h; });
+  const auto is_smaller = [](const Listed& a, const Listed& b) { return a.h < b.h; };
   for (const std::uint32_t n : added) {
     const SizeBound& bound = bounds_[n];
     Grid& grid = grid_for(reach_of(bound));
+    const Listed listed = {bound.position, bound.h, bound.plateau, reach_of(bound), n};
     for (const std::uint64_t at : grid.bricks_around(bound.position, extent_)) {
-      std::vector<std::uint32_t>& list = grid.list_for(at);
-      list.insert(std::upper_bound(list.begin(), list.end(), n, is_smaller), n);
+      List& list = grid.list_for(at);
+      list.insert(std::upper_bound(list.begin(), list.end(), listed, is_smaller), listed);
     }
     if (grid.is_narrow) mark_blocks(bound.position, grid.brick, 1U << static_cast<unsigned>(&grid - grids_.data()));
   }
@@ -130,6 +132,15 @@ void SizeBounds::visit_lists(const Vector3d& x, Visit&& visit) const {
   }
 }
 
+template <class Visit>
+void SizeBounds::visit_reaching(const Vector3d& x, Visit&& visit) const {
+  visit_lists(x, [&](const List& list) {
+    for (const Listed& listed : list) {
+      if ((x - listed.position).norm() <= listed.reach) visit(listed.number);
+    }
+  });
+}
+
 double SizeBounds::bound(std::size_t n, const Vector3d& x) const {
   const SizeBound& bound = bounds_[n];
   const double away = (x - bound.position).norm();
@@ -140,11 +151,15 @@ double SizeBounds::bound(std::size_t n, const Vector3d& x) const {
 }
 
 double SizeBounds::bound(const Vector3d& x) const {
+  constexpr double rounding = 1.0 + 1e-9;
   double least = infinite;
-  visit_lists(x, [&](const std::vector<std::uint32_t>& list) {
-    for (const std::uint32_t n : list) {
-      if (bounds_[n].h >= least) return;
-      least = std::min(least, bound(n, x));
+  visit_lists(x, [&](const List& list) {
+    for (const Listed& listed : list) {
+      if (listed.h >= least) return;
+      // Farther away, the bound has ended or is above `least`, whatever the rounding.
+      const double farthest = rounding * std::min(listed.reach, listed.plateau + (least - listed.h) / delta_);
+      if ((x - listed.position).squaredNorm() <= farthest * farthest)
+        least = std::min(least, bound(listed.number, x));
     }
   });
   return least;
@@ -152,11 +167,7 @@ double SizeBounds::bound(const Vector3d& x) const {
 
 std::vector<std::uint32_t> SizeBounds::reaching(const Vector3d& x) const {
   std::vector<std::uint32_t> found;
-  visit_lists(x, [&](const std::vector<std::uint32_t>& list) {
-    for (const std::uint32_t n : list) {
-      if ((x - bounds_[n].position).norm() <= reach_of(bounds_[n])) found.push_back(n);
-    }
-  });
+  visit_reaching(x, [&found](std::uint32_t n) { found.push_back(n); });
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -171,12 +182,8 @@ std::vector<std::uint32_t> SizeBounds::reaching(const Eigen::AlignedBox3d& box) 
 
 double SizeBounds::scaled_distance(const Vector3d& x, std::size_t first) const {
   double least = infinite;
-  visit_lists(x, [&](const std::vector<std::uint32_t>& list) {
-    for (const std::uint32_t n : list) {
-      if (n < first) continue;
-      const double away = (x - bounds_[n].position).norm();
-      if (away <= reach_of(bounds_[n])) least = std::min(least, away / bounds_[n].scale);
-    }
+  visit_reaching(x, [&](std::uint32_t n) {
+    if (n >= first) least = std::min(least, (x - bounds_[n].position).norm() / bounds_[n].scale);
   });
   return least;
 }

@@ -47,6 +47,16 @@ class SizeBounds {
   std::vector<std::uint32_t> reaching(const Eigen::AlignedBox3d& box) const;
 
  private:
+  /// A bound in a list: what most visits need, beside each other in memory.
+  struct Listed {
+    Eigen::Vector3d position;
+    double h;
+    double plateau;
+    double reach;
+    std::uint32_t number;
+  };
+  using List = std::vector<Listed>;  // in increasing order of h
+
   /// Bounds of one order of magnitude, listed by bricks at least as wide as the farthest reach among them. Wide bricks
   /// are few, so each has a number; narrow ones may be thousands to a voxel, but only those at bounds are kept.
   struct Grid {
@@ -55,20 +65,23 @@ class SizeBounds {
     bool is_narrow = false;
     std::vector<std::int32_t> list_of_brick;  // of a wide grid; -1: no bound reaches into the brick
     std::unordered_map<std::uint64_t, std::int32_t> list_of_narrow_brick;
-    std::vector<std::vector<std::uint32_t>> lists;  // each in increasing order of the bounds' h
+    std::vector<List> lists;
 
     std::uint64_t brick_of(const Eigen::Vector3d& x) const;
     std::int32_t list_at(const Eigen::Vector3d& x) const;  ///< -1: no bound reaches x
-    std::vector<std::uint32_t>& list_for(std::uint64_t at);
+    List& list_for(std::uint64_t at);
     /// The numbers of the bricks into which a bound at this position may reach.
     std::vector<std::uint64_t> bricks_around(const Eigen::Vector3d& position, const Eigen::Vector3d& extent) const;
   };
 
   Grid& grid_for(double reach);
   void mark_blocks(const Eigen::Vector3d& position, double reach, std::uint32_t mark);
-  /// Calls `visit(list)` for the lists of bounds that may reach x.
+  /// Calls visit(list) for the lists of bounds that may reach x.
   template <class Visit>
   void visit_lists(const Eigen::Vector3d& x, Visit&& visit) const;
+  /// Calls visit(number) for the bounds that reach x.
+  template <class Visit>
+  void visit_reaching(const Eigen::Vector3d& x, Visit&& visit) const;
 
   double delta_;
   double voxel_;
