@@ -119,7 +119,8 @@ RandomRunResult carry_out(const RandomRun& run, double most_vertices, const std:
   } catch (const Skipped& error) {
     result.refusal = error.what();
   } catch (const Error& error) {
-    if (keeps_promises(run) && promises_mesh(run.request)) result.wrong.push_back(fmt::format("fails: {}", error.what()));
+    if (keeps_promises(run) && promises_mesh(run.request))
+      result.wrong.push_back(fmt::format("fails: {}", error.what()));
     result.refusal = error.what();
   } catch (const std::exception& error) {
     result.wrong.push_back(fmt::format("is no refusal: {}", error.what()));

@@ -373,10 +373,10 @@ class Curing {
   const CertifiedTopology& topology_;
   Particles& particles_;
   LabelledDelaunay& delaunay_;
-  std::vector<std::uint32_t> component_;                       // of each particle
-  std::vector<char> has_facet_;                                // of each particle
-  std::vector<std::uint32_t> unchecked_;                       // particles whose facets find_defects() has to check
-  std::vector<Facet> facets_;                                  // the facets that find_defects() has checked last
+  std::vector<std::uint32_t> component_;  // of each particle
+  std::vector<char> has_facet_;           // of each particle
+  std::vector<std::uint32_t> unchecked_;  // particles whose facets find_defects() has to check
+  std::vector<Facet> facets_;             // the facets that find_defects() has checked last
   LostComponents lost_components_;
   std::vector<std::vector<Eigen::Vector3d>> lost_;  // points on each lost component
   std::vector<Eigen::Vector3d> proposed_;

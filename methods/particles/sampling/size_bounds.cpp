@@ -158,8 +158,7 @@ double SizeBounds::bound(const Vector3d& x) const {
       if (listed.h >= least) return;
       // Farther away, the bound has ended or is above `least`, whatever the rounding.
       const double farthest = rounding * std::min(listed.reach, listed.plateau + (least - listed.h) / delta_);
-      if ((x - listed.position).squaredNorm() <= farthest * farthest)
-        least = std::min(least, bound(listed.number, x));
+      if ((x - listed.position).squaredNorm() <= farthest * farthest) least = std::min(least, bound(listed.number, x));
     }
   });
   return least;
