@@ -8,6 +8,7 @@
 #include "isobench/experiments/plan/vertex_match.h"
 #include "isobench/experiments/runner/estimate.h"
 #include "isobench/experiments/runner/fault_injection.h"
+#include "isobench/foundation/error.h"
 #include "isobench/foundation/processes/process_table.h"
 #include "isobench/methods/mesh/component_match.h"
 #include "isobench/methods/mesh/mesh_checksum.h"
@@ -185,7 +186,7 @@ CellResult run_cell(const RunRequest& request, std::optional<double> match_verti
     record.status = Status::out_of_memory;
     record.reason = "an allocation failed";
   } catch (const std::exception& error) {
-    record.reason = error.what();
+    record.reason = printable(error.what());  // a library may say more than one line
   }
   if (record.status != Status::ok) {
     record.measurement.reset();

@@ -12,6 +12,7 @@ namespace {
 // Up to 16 of the points; each is as far as possible from those before it. 16 points enclose a small body.
 std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) {
   constexpr std::size_t most = 16;
+  if (points.empty()) return {};
   std::vector<Eigen::Vector3d> chosen = {points.front()};
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
   while (chosen.size() < std::min(most, points.size())) {
@@ -27,36 +28,32 @@ std::vector<Eigen::Vector3d> spread(const std::vector<Eigen::Vector3d>& points) 
 }  // namespace
 
 LostComponents::LostComponents(const Isosurface& surface, const CertifiedTopology& topology)
-    : surface_(surface),
-      topology_(topology),
-      is_known_(topology.components.size(), 0),
-      points_(topology.components.size()) {}
+    : surface_(surface), topology_(topology), points_(topology.components.size()) {}
 
 std::vector<std::vector<Eigen::Vector3d>> LostComponents::find(const std::vector<std::uint32_t>& of_points,
                                                                const std::vector<char>& counted) {
-  std::vector<char> lost(is_known_.size(), 1);
+  std::vector<char> lost;
+  for (const SurfaceComponent& component : topology_.components) lost.push_back(component.is_left_out ? 0 : 1);
   for (std::size_t n = 0; n < of_points.size(); ++n) {
     if (counted[n] != 0) lost[of_points[n]] = 0;
   }
-  std::vector<char> is_new(lost.size(), 0);
-  for (std::size_t c = 0; c < lost.size(); ++c) {
-    if (topology_.components[c].is_left_out) lost[c] = 0;
-    if (lost[c] != 0 && is_known_[c] == 0) is_new[c] = is_known_[c] = 1;
-  }
-  if (std::find(is_new.begin(), is_new.end(), 1) != is_new.end()) {
-    std::size_t next = 0;
-    const auto found = points_on_components(surface_, topology_, is_new);
-    for (std::size_t c = 0; c < is_new.size(); ++c) {
-      if (is_new[c] == 0) continue;
-      if (!found[next].empty()) points_[c] = spread(found[next]);
-      ++next;
-    }
-  }
+  remember(lost);
   std::vector<std::vector<Eigen::Vector3d>> result;
   for (std::size_t c = 0; c < lost.size(); ++c) {
-    if (lost[c] != 0 && !points_[c].empty()) result.push_back(points_[c]);
+    if (lost[c] != 0 && !points_[c]->empty()) result.push_back(*points_[c]);
   }
   return result;
+}
+
+void LostComponents::remember(const std::vector<char>& lost) {
+  std::vector<char> is_new(lost.size(), 0);
+  for (std::size_t c = 0; c < lost.size(); ++c) is_new[c] = lost[c] != 0 && !points_[c] ? 1 : 0;
+  if (std::find(is_new.begin(), is_new.end(), 1) == is_new.end()) return;
+  const std::vector<std::vector<Eigen::Vector3d>> all = points_on_components(surface_, topology_, is_new);
+  auto found = all.begin();
+  for (std::size_t c = 0; c < lost.size(); ++c) {
+    if (is_new[c] != 0) points_[c] = spread(*found++);
+  }
 }
 
 }  // namespace isobench::particles

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "isobench/datasets/topology/certified_topology.h"
@@ -22,10 +23,12 @@ class LostComponents {
                                                  const std::vector<char>& counted);
 
  private:
+  /// Finds the points of those lost components whose points are not known yet.
+  void remember(const std::vector<char>& lost);
+
   const Isosurface& surface_;
   const CertifiedTopology& topology_;
-  std::vector<char> is_known_;                        // of each component
-  std::vector<std::vector<Eigen::Vector3d>> points_;  // of each component that is known
+  std::vector<std::optional<std::vector<Eigen::Vector3d>>> points_;  // of each component that was lost before
 };
 
 }  // namespace isobench::particles
