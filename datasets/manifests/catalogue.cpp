@@ -21,7 +21,7 @@ Manifest manifest_of(const std::string& name, const Place& place) {
 
 Volume read_data(const Manifest& manifest, const DataFiles& data, Monitor& monitor) {
   const auto stage = monitor.stage("read");
-  return manifest.raw ? read_raw(data.paths, *manifest.raw) : read_volume(data.paths.front());
+  return manifest.raw ? read_raw(data.paths, *manifest.raw) : read_volume(data.paths.front()).volume;
 }
 
 // For example ", gap 1 mm".

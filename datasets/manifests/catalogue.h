@@ -81,6 +81,7 @@ struct FileSurface {
   Kernel kernel = Kernel::bspline;
   Border border = Border::close;
   SurfaceChoices choices = {};
+  VolumeChoice part = {};  ///< of a file that holds several volumes
 };
 
 /// Makes a dataset of any volume file: smooths it with a Gaussian of `asked.smooth_voxels` (0: no smoothing), and

@@ -40,7 +40,7 @@ std::string checksum_of(const Volume& volume, const std::string& arguments) {
 }  // namespace
 
 Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor) {
-  const auto& [isovalue, inside, smooth_voxels, kernel, border, choices] = asked;
+  const auto& [isovalue, inside, smooth_voxels, kernel, border, choices, part] = asked;
   if (!std::isfinite(isovalue)) throw UsageError("the isovalue is not a finite number; give one that is");
   if (!(smooth_voxels >= 0.0 && smooth_voxels < 1000.0)) {
     throw UsageError(
@@ -53,7 +53,9 @@ Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& 
   Volume volume;
   {
     const auto stage = monitor.stage("read");
-    volume = read_volume(path);
+    VolumeFile file = read_volume(path, part);
+    for (const std::string& note : file.notes) monitor.note(note);
+    volume = std::move(file.volume);
   }
   dataset.checksum = checksum_of(
       volume, fmt::format("volume file {} {} {} {}\n", isovalue, to_string(inside), smooth_voxels, to_string(kernel)));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/datasets/manifests/dataset_names.h"
 #include "isobench/datasets/manifests/manifest_generated.h"
 #include "isobench/datasets/manifests/manifest_steps.h"
