@@ -5,7 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "isobench/datasets/spline_prefilter.h"
 #include "isobench/foundation/error.h"
@@ -159,6 +161,50 @@ std::string to_string(Kernel kernel) {
 
 std::string to_string(Inside inside) { return inside == Inside::above ? "above" : "below"; }
 
+namespace {
+
+/// sign · (sample − c), each rounded to float once, so that they keep what counts near c: samples on a large pedestal,
+/// such as int32 near 1e9, differ by less than a float there can hold. 64-bit integers are subtracted as integers.
+FloatVolume differences_from(double c, double sign, Volume volume) {
+  std::vector<float> differences = volume.samples.visit([&](auto& samples) -> std::vector<float> {
+    using T = SampleOf<decltype(samples)>;
+    const auto difference = [&](T sample) -> float {
+      if constexpr (sizeof(T) == 8 && std::is_integral_v<T>) {
+        const double whole = std::floor(c);  // within the range of T, because it lies between two samples
+        const T below = static_cast<T>(whole);
+        const double exact =
+            sample >= below
+                ? static_cast<double>(static_cast<std::uint64_t>(sample) - static_cast<std::uint64_t>(below))
+                : -static_cast<double>(static_cast<std::uint64_t>(below) - static_cast<std::uint64_t>(sample));
+        return static_cast<float>(sign * (exact - (c - whole)));
+      } else {
+        return static_cast<float>(sign * (static_cast<double>(sample) - c));
+      }
+    };
+    if constexpr (std::is_same_v<T, float>) {
+      std::transform(samples.begin(), samples.end(), samples.begin(), difference);
+      return std::move(samples);
+    } else {
+      std::vector<float> result(samples.size());
+      std::transform(samples.begin(), samples.end(), result.begin(), difference);
+      return result;
+    }
+  });
+  const auto infinite =
+      std::find_if_not(differences.begin(), differences.end(), [](float d) { return std::isfinite(d); });
+  if (infinite != differences.end()) {
+    const auto n = static_cast<std::size_t>(infinite - differences.begin());
+    const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
+    const auto ny = static_cast<std::size_t>(volume.lattice.size[1]);
+    throw DataError(
+        fmt::format("the sample at node ({}, {}, {}) is too large for single precision; scale the volume down", n % nx,
+                    n / nx % ny, n / nx / ny));
+  }
+  return {std::move(volume.lattice), std::move(differences)};
+}
+
+}  // namespace
+
 Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel kernel)
     : lattice_(volume.lattice),
       isovalue_(isovalue),
@@ -171,20 +217,15 @@ Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel ker
     throw DataError(fmt::format("the volume has {}×{}×{} nodes; a spline surface needs at least 4 along each axis",
                                 size[0], size[1], size[2]));
   }
-  // Samples that are large compared with their differences, such as int32 near 1e9, lose these differences here. A
-  // constant subtracted from the samples before they become floats would keep them; this is the place for it.
-  FloatVolume floats = as_float(std::move(volume));
-  const Range range = sample_range(floats);
+  const Range range = sample_range(volume);
   if (!(isovalue > range.min && isovalue < range.max)) {
     throw DataError(fmt::format("isovalue {} is outside the range of the samples, {} to {}; choose one between them",
                                 isovalue, range.min, range.max));
   }
   for (int axis = 0; axis < 3; ++axis) extent_[axis] = lattice_.spacing[axis] * (size[axis] - 1);
-  if (kernel == Kernel::interpolating_bspline) interpolating_coefficients(floats);
-
-  coefficients_ = std::move(floats.samples);
-  const double sign = inside == Inside::above ? 1.0 : -1.0;
-  for (float& c : coefficients_) c = static_cast<float>(sign * (c - isovalue));
+  FloatVolume differences = differences_from(isovalue, inside == Inside::above ? 1.0 : -1.0, std::move(volume));
+  if (kernel == Kernel::interpolating_bspline) interpolating_coefficients(differences);
+  coefficients_ = std::move(differences.samples);
 }
 
 void Isosurface::move_isovalue(double isovalue) {

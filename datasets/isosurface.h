@@ -42,10 +42,11 @@ struct Jet {
 /// f = F − c (inside above) or c − F (inside below), positive inside the object, and its zero set, the surface.
 class Isosurface {
  public:
-  /// Takes the samples over. The coefficients of F are floats: samples of other types are rounded to float here, once;
-  /// floats are moved, not copied. Memory: 4 bytes a node, and the samples as given until they are converted.
-  /// Throws DataError if a sample is not finite or too large for a float, if there are fewer than 4 nodes along an
-  /// axis, or if c is outside the range of the samples (the message says the range). F = c may still be empty.
+  /// Takes the samples over. The coefficients of F are floats: c is subtracted from the samples in their own type, and
+  /// the differences are rounded to float, once; the array of floats is moved, not copied. Memory: 4 bytes a node, and
+  /// the samples as given until they are converted. Throws DataError if a sample is not finite or too large for a
+  /// float, if there are fewer than 4 nodes along an axis, or if c is outside the range of the samples (the message
+  /// says the range). F = c may still be empty.
   Isosurface(Volume volume, double isovalue, Inside inside = Inside::above, Kernel kernel = Kernel::bspline);
 
   double value(const Eigen::Vector3d& x) const;

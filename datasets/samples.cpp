@@ -66,15 +66,4 @@ std::size_t Samples::size() const {
   return visit([](const auto& values) { return values.size(); });
 }
 
-std::vector<float> Samples::to_floats() && {
-  return visit([](auto& values) -> std::vector<float> {
-    using T = SampleOf<decltype(values)>;
-    if constexpr (std::is_same_v<T, float>) {
-      return std::move(values);
-    } else {
-      return std::vector<float>(values.begin(), values.end());
-    }
-  });
-}
-
 }  // namespace isobench

@@ -59,9 +59,6 @@ class Samples {
     return std::get<std::vector<T>>(values_);
   }
 
-  /// The samples rounded to float. Samples that are floats already are moved, not copied.
-  std::vector<float> to_floats() &&;
-
   /// True if type and values are the same.
   bool operator==(const Samples&) const = default;
 

@@ -39,15 +39,6 @@ TEST(Samples, OfTwoTypesAreNotEqual) {
   EXPECT_FALSE(Samples(std::vector<std::int32_t>{1, 2}) == Samples(std::vector<std::uint32_t>{1, 2}));
 }
 
-TEST(Samples, FloatsAreMovedAndOthersRounded) {
-  std::vector<float> floats = {0.25F, -3.0F};
-  const float* address = floats.data();
-  EXPECT_EQ(Samples(std::move(floats)).to_floats().data(), address);
-  EXPECT_EQ(Samples(std::vector<std::uint8_t>{0, 255}).to_floats(), (std::vector<float>{0.0F, 255.0F}));
-  EXPECT_EQ(Samples(std::vector<std::int32_t>{16777217}).to_floats(), std::vector<float>{16777216.0F});
-  EXPECT_EQ(Samples(std::vector<double>{0.1}).to_floats(), std::vector<float>{0.1F});
-}
-
 TEST(Samples, RealOfATypeHoldsItsValues) {
   EXPECT_TRUE((std::is_same_v<RealOf<std::uint16_t>, float>));
   EXPECT_TRUE((std::is_same_v<RealOf<std::int8_t>, float>));

@@ -34,6 +34,9 @@ struct Lattice {
   /// From the lattice frame (mm, axes along the lattice, node (0, 0, 0) at the origin) to the world, and back.
   Eigen::Vector3d to_world(const Eigen::Vector3d& local) const { return origin + direction * local; }
   Eigen::Vector3d to_local(const Eigen::Vector3d& world) const;
+  /// Whether the axes are perpendicular to 5e-3 (0.3°), which allows for rounding in headers: an error of 5e-3 of
+  /// lengths measured along the lattice. Points go to the world and back by the axes as they are.
+  bool is_rectangular() const;
   /// False if the axes i, j, k form a left-handed system: mapping a mesh to the world then turns its triangles over.
   bool right_handed() const;
 };
@@ -45,27 +48,37 @@ struct Volume {
   Samples samples;
 };
 
-/// A volume of floats: the result of phantoms, smoothing, resampling and distances, and the input of F.
-struct FloatVolume {
+/// A volume of real numbers: of floats, the result of phantoms, smoothing, resampling and distances, or of doubles
+/// where floats cannot hold the samples.
+template <class Real>
+struct RealVolume {
   Lattice lattice;
-  std::vector<float> samples;
+  std::vector<Real> samples;
 
-  float at(int i, int j, int k) const { return samples[lattice.index(i, j, k)]; }
-  float& at(int i, int j, int k) { return samples[lattice.index(i, j, k)]; }
+  Real at(int i, int j, int k) const { return samples[lattice.index(i, j, k)]; }
+  Real& at(int i, int j, int k) { return samples[lattice.index(i, j, k)]; }
 
   /// Moves the samples of a temporary, copies those of a variable.
   operator Volume() && { return {std::move(lattice), std::move(samples)}; }  // NOLINT(google-explicit-constructor)
   operator Volume() const& { return {lattice, samples}; }                    // NOLINT(google-explicit-constructor)
 };
+using FloatVolume = RealVolume<float>;
+using DoubleVolume = RealVolume<double>;
 
-/// Rounds every sample to float; moves the samples if they are floats already. Throws DataError naming the node if a
-/// sample is too large for a float. While it runs, both arrays are in memory: bytes_of(type) + 4 bytes a node.
-FloatVolume as_float(Volume volume);
+/// Whether a float would round some sample: an integer beyond 2^24, or a double that is no float. Linear time; costs
+/// nothing for the types that floats hold.
+bool needs_double(const Volume& volume);
 
-/// The smallest and the largest sample, rounded to float.
+/// Rounds every sample to Real, float or double; moves the samples if they are of this type already. Throws DataError
+/// naming the node if a sample is too large for a float. While it runs, both arrays are in memory.
+template <class Real>
+RealVolume<Real> as_real(Volume volume);
+inline FloatVolume as_float(Volume volume) { return as_real<float>(std::move(volume)); }
+
+/// The smallest and the largest sample; 64-bit integers beyond 2^53 are rounded.
 struct Range {
-  float min = 0.0F;
-  float max = 0.0F;
+  double min = 0.0;
+  double max = 0.0;
 };
 /// Throws DataError naming the node if a sample is NaN or infinite, or if there are no samples. Linear time; takes no
 /// memory.
@@ -75,6 +88,8 @@ Range sample_range(const FloatVolume& volume);
 /// "[0, 255]": the smallest and the largest sample, exact in the samples' own type. Throws as sample_range() does.
 std::string range_text(const Volume& volume);
 
+/// Whether no sample is NaN or infinite. Costs nothing for integers.
+bool is_finite(const Volume& volume);
 /// Throws DataError naming the node if a sample is NaN or infinite. Costs nothing for integers.
 void check_finite(const Volume& volume);
 

@@ -20,6 +20,32 @@ Lattice oblique_lattice() {
   return lattice;
 }
 
+Volume row_of(Samples samples) {
+  Volume volume;
+  volume.lattice.size = {static_cast<int>(samples.size()), 1, 1};
+  volume.samples = std::move(samples);
+  return volume;
+}
+
+TEST(Volume, FloatsAreMovedAndOthersRounded) {
+  std::vector<float> floats = {0.25F, -3.0F};
+  const float* address = floats.data();
+  EXPECT_EQ(as_float(row_of(std::move(floats))).samples.data(), address);
+  EXPECT_EQ(as_float(row_of(std::vector<std::uint8_t>{0, 255})).samples, (std::vector<float>{0.0F, 255.0F}));
+  EXPECT_EQ(as_float(row_of(std::vector<std::int32_t>{16777217})).samples, std::vector<float>{16777216.0F});
+  EXPECT_EQ(as_float(row_of(std::vector<double>{0.1})).samples, std::vector<float>{0.1F});
+  EXPECT_EQ(as_real<double>(row_of(std::vector<std::int32_t>{16777217})).samples, std::vector<double>{16777217.0});
+}
+
+TEST(Volume, NeedsDoubleWhereAFloatWouldRound) {
+  EXPECT_FALSE(needs_double(row_of(std::vector<std::uint16_t>{65535})));
+  EXPECT_FALSE(needs_double(row_of(std::vector<std::int32_t>{16777216, -1})));
+  EXPECT_TRUE(needs_double(row_of(std::vector<std::int32_t>{16777217})));
+  EXPECT_TRUE(needs_double(row_of(std::vector<std::uint64_t>{std::numeric_limits<std::uint64_t>::max()})));
+  EXPECT_FALSE(needs_double(row_of(std::vector<double>{0.5, std::numeric_limits<double>::quiet_NaN()})));
+  EXPECT_TRUE(needs_double(row_of(std::vector<double>{0.1})));
+}
+
 TEST(Lattice, NumbersNodesWithXFastest) {
   const Lattice lattice = oblique_lattice();
   EXPECT_EQ(lattice.nodes(), 24U);
@@ -96,7 +122,7 @@ TEST(Volume, OfEveryTypeBecomesFloats) {
   const FloatVolume floats = as_float(volume);
   EXPECT_EQ(floats.samples, std::vector<float>(24, 312782560.0F));
   EXPECT_EQ(floats.lattice.size, volume.lattice.size);
-  EXPECT_EQ(sample_range(volume).max, 312782560.0F);
+  EXPECT_EQ(sample_range(volume).max, 312782574.0);
   EXPECT_EQ(range_text(volume), "[312782574, 312782574]");
 }
 

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/datasets/formats/testing/oblique_files.h"
 #include "isobench/datasets/isosurface.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/lattice/marching_cubes.h"
@@ -64,7 +64,7 @@ TEST(ObliqueSurface, IsThePlainOneInPlaceForEveryFormatWithAnOrientation) {
       {"a.vti", vti_text(text_of_samples())},
   };
   for (const auto& [name, bytes] : files) {
-    expect_same_surface(name, read_volume(folder.write(name, bytes)), oblique(), origin);
+    expect_same_surface(name, volume_of(folder.write(name, bytes)), oblique(), origin);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(ObliqueSurface, IsThePlainOneStretchedForFormatsWithSpacingAlone) {
   const TestFolder folder;
   const std::string floats = bytes_of_samples<float>(samples());
   const auto inr = folder.write("a.inr", inrimage(inrimage_fields("TYPE=float\nPIXSIZE=32 bits", "decm"), floats));
-  expect_same_surface("a.inr", read_volume(inr), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+  expect_same_surface("a.inr", volume_of(inr), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
   RawLayout layout;
   layout.size = {nx, ny, nz};
   layout.spacing = spacing;

@@ -1,9 +1,7 @@
 // Damaged, incomplete and hostile files: the error is one sentence that names the file, and nothing is printed.
 #include <gtest/gtest.h>
 
-#include <limits>
-
-#include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/datasets/formats/testing/oblique_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -69,16 +67,6 @@ TEST(ReadVolumeBadInput, DamagedCompressedData) {
     damaged[damaged.size() - 6] = static_cast<char>(damaged[damaged.size() - 6] ^ 0x55);  // in the checksum or near it
     expect_data_error(folder.write(name, damaged), "");
   }
-}
-
-TEST(ReadVolumeBadInput, SamplesThatAreNotFinite) {
-  const TestFolder folder;
-  std::vector<float> bad = samples();
-  bad[std::size_t{nx} * ny + 2 * nx + 3] = std::numeric_limits<float>::quiet_NaN();
-  expect_data_error(folder.write("nan.nrrd", nrrd_header("float", "raw") + "\n" + bytes_of_samples<float>(bad)),
-                    "node (3, 2, 1)");
-  NiftiHeader header;
-  expect_data_error(folder.write("nan.nii", header.bytes() + bytes_of_samples<float>(bad)), "node (3, 2, 1)");
 }
 
 TEST(ReadVolumeBadInput, HostileSizesAllocateNothing) {
@@ -157,8 +145,8 @@ TEST(ReadVolumeBadInput, NotA3DScalarVolume) {
   expect_data_error(folder.write("flat.nrrd", flat + "\n" + twice), "3-D");
   std::string sheared = nrrd_header("float", "raw");
   const std::size_t at = sheared.find("space directions:");
-  sheared.replace(at, sheared.find('\n', at) - at, "space directions: (1,0,0) (0.5,1,0) (0,0,1)");
-  expect_data_error(folder.write("sheared.nrrd", sheared + "\n" + twice), "perpendicular");
+  sheared.replace(at, sheared.find('\n', at) - at, "space directions: (1,0,0) (0.5,1,0) (1,1,0.01)");
+  expect_data_error(folder.write("sheared.nrrd", sheared + "\n" + twice), "nearly in a plane");
   std::string vectors =
       metaimage_header("ElementNumberOfChannels = 3\nElementType = MET_FLOAT\nElementDataFile = LOCAL");
   expect_data_error(folder.write("vectors.mha", vectors + twice + twice), "scalar");

@@ -1,11 +1,14 @@
 // INRIMAGE-4: a text header that is padded to a multiple of 256 bytes and ends with "##}", then plain samples.
+#include "isobench/datasets/formats/read_inrimage.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/reading/read_samples.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/text.h"
 
@@ -72,7 +75,7 @@ ByteOrder order_of(const std::string& cpu, const std::filesystem::path& path) {
 
 }  // namespace
 
-Volume read_inrimage(const std::filesystem::path& path) {
+VolumeFile read_inrimage(const std::filesystem::path& path, const VolumeChoice& /*choice*/) {
   ByteReader reader(path, path.extension() == ".gz" ? Encoding::deflated : Encoding::plain);
   const auto fields = fields_of(read_header(reader));
   const auto number = [&](const char* key, double otherwise) {
@@ -92,7 +95,7 @@ Volume read_inrimage(const std::filesystem::path& path) {
   volume.samples = Samples(type_of(fields, path));
   read_samples(reader, volume.lattice.nodes(), order_of(fields.contains("CPU") ? fields.at("CPU") : "decm", path),
                volume.samples);
-  return volume;
+  return {std::move(volume), {}};
 }
 
 }  // namespace isobench

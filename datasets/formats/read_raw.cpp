@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/reading/read_samples.h"
 #include "isobench/foundation/error.h"
 
 namespace isobench {
@@ -36,11 +37,6 @@ Volume read_raw(const std::vector<std::filesystem::path>& files, const RawLayout
   for (const std::filesystem::path& file : files) {
     ByteReader reader(file, Encoding::plain);
     read_samples(reader, each, layout.order, volume.samples);
-  }
-  try {
-    check_finite(volume);
-  } catch (const DataError& not_finite) {
-    throw DataError(fmt::format("{}: {}", files.front().string(), not_finite.what()));
   }
   return volume;
 }

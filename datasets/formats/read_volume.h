@@ -5,18 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "isobench/datasets/formats/reading/byte_order.h"
+#include "isobench/datasets/formats/reading/volume_file.h"
 #include "isobench/datasets/volume.h"
 
 namespace isobench {
 
 /// Reads NRRD (.nrrd, .nhdr), MetaImage (.mhd, .mha), NIfTI (.nii, .nii.gz), VTI (.vti) or INRIMAGE-4 (.inr, .inr.gz)
-/// by the path's ending, with spacing, origin and direction in mm. Samples keep the type that they have in the file;
-/// only NIfTI's slope and intercept turn them into RealOf their type. Memory: one array of samples, and for VTI the
-/// whole file. Throws DataError naming the file if it is missing, empty, truncated, of another format or not a 3-D
-/// scalar volume, or if a sample is not finite.
-Volume read_volume(const std::filesystem::path& path);
-
-enum class ByteOrder { little, big };
+/// by the path's ending, with spacing, origin and direction in mm; docs/INPUTS.md says what is understood of each.
+/// Samples keep the type that they have in the file; only a slope and an intercept turn them into RealOf their type.
+/// Memory: one array of samples, and for VTI the whole file. Throws DataError naming the file if it is missing, empty,
+/// truncated, of another format, if it holds several volumes and `choice` does not say which, or if `choice` asks for
+/// something that the file or its format does not have.
+VolumeFile read_volume(const std::filesystem::path& path, const VolumeChoice& choice = {});
 
 /// How to read a file without a header.
 struct RawLayout {
@@ -27,8 +28,7 @@ struct RawLayout {
 };
 
 /// Reads raw samples from one file, or from several of equal size in order of k, for example one a slice. Throws
-/// DataError naming the file if it cannot be read, if it does not have exactly the bytes that the layout makes, or if a
-/// sample is not finite.
+/// DataError naming the file if it cannot be read, or if it does not have exactly the bytes that the layout makes.
 Volume read_raw(const std::vector<std::filesystem::path>& files, const RawLayout& layout);
 
 }  // namespace isobench

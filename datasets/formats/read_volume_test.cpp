@@ -9,7 +9,7 @@
 #include <vtkNrrdReader.h>
 #include <vtkPointData.h>
 
-#include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/datasets/formats/testing/oblique_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -28,13 +28,13 @@ void expect_samples_of(vtkDataArray* array, const Volume& volume) {
 TEST(ReadNrrd, KeepsNodesInPlaceInEveryEncoding) {
   const TestFolder folder;
   expect_oblique(
-      read_volume(folder.write("raw.nrrd", nrrd_header("float", "raw") + "\n" + bytes_of_samples<float>(samples()))));
-  expect_oblique(read_volume(folder.write(
+      volume_of(folder.write("raw.nrrd", nrrd_header("float", "raw") + "\n" + bytes_of_samples<float>(samples()))));
+  expect_oblique(volume_of(folder.write(
       "gz.nrrd", nrrd_header("short", "gzip") + "\n" + deflated(bytes_of_samples<std::int16_t>(samples()), true))));
-  expect_oblique(read_volume(folder.write("text.nrrd", nrrd_header("uchar", "ascii") + "\n" + text_of_samples())));
+  expect_oblique(volume_of(folder.write("text.nrrd", nrrd_header("uchar", "ascii") + "\n" + text_of_samples())));
   folder.write("data.bin", "skip me\n" + bytes_of_samples<double>(samples()));
   const Volume detached =
-      read_volume(folder.write("detached.nhdr", nrrd_header("double", "raw") + "line skip: 1\ndata file: data.bin\n"));
+      volume_of(folder.write("detached.nhdr", nrrd_header("double", "raw") + "line skip: 1\ndata file: data.bin\n"));
   expect_oblique(detached);
   EXPECT_EQ(detached.lattice.space, "LPS");
 }
@@ -46,24 +46,24 @@ TEST(ReadNrrd, SamplesAreAsVtkReadsThem) {
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkDataArray* array = reader->GetOutput()->GetPointData()->GetScalars();
-  const Volume volume = read_volume(path);
+  const Volume volume = volume_of(path);
   expect_samples_of(array, volume);
 }
 
 TEST(ReadNrrd, ObeysByteOrderSpacingsAndUnits) {
   const TestFolder folder;
   const Volume volume =
-      read_volume(folder.write("plain.nrrd", fmt::format("NRRD0001\ntype: unsigned short\ndimension: 3\nsizes: {} {} "
-                                                         "{}\nspacings: 0.5 1.25 3\nendian: big\nencoding: raw\n\n",
-                                                         nx, ny, nz) +
-                                                 bytes_of_samples<std::uint16_t>(samples(), true)));
+      volume_of(folder.write("plain.nrrd", fmt::format("NRRD0001\ntype: unsigned short\ndimension: 3\nsizes: {} {} "
+                                                       "{}\nspacings: 0.5 1.25 3\nendian: big\nencoding: raw\n\n",
+                                                       nx, ny, nz) +
+                                               bytes_of_samples<std::uint16_t>(samples(), true)));
   EXPECT_EQ(floats_of(volume), samples());
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-12);
   EXPECT_EQ(volume.lattice.space, "");
   std::string header = nrrd_header("uchar", "ascii");
   header.replace(header.find("left-posterior"), 14, "left-anterior");
   const Volume mirrored =
-      read_volume(folder.write("las.nrrd", header + "space units: \"cm\" \"cm\" \"cm\"\n\n" + text_of_samples()));
+      volume_of(folder.write("las.nrrd", header + "space units: \"cm\" \"cm\" \"cm\"\n\n" + text_of_samples()));
   EXPECT_EQ(mirrored.lattice.space, "RAS");
   EXPECT_FALSE(mirrored.lattice.right_handed());
   EXPECT_NEAR(mirrored.lattice.origin[0], -10.0 * origin[0], 1e-9);
@@ -73,22 +73,22 @@ TEST(ReadNrrd, ObeysByteOrderSpacingsAndUnits) {
 TEST(ReadMetaImage, KeepsNodesInPlaceInEveryEncoding) {
   const TestFolder folder;
   expect_oblique(
-      read_volume(folder.write("local.mha", metaimage_header("ElementType = MET_FLOAT\nElementDataFile = LOCAL") +
-                                                bytes_of_samples<float>(samples()))));
+      volume_of(folder.write("local.mha", metaimage_header("ElementType = MET_FLOAT\nElementDataFile = LOCAL") +
+                                              bytes_of_samples<float>(samples()))));
   const std::string zipped = deflated(bytes_of_samples<std::int16_t>(samples(), true), false);
-  expect_oblique(read_volume(folder.write(
+  expect_oblique(volume_of(folder.write(
       "zipped.mha",
       metaimage_header(
           "BinaryDataByteOrderMSB = True\nCompressedData = True\nElementType = MET_SHORT\nElementDataFile = LOCAL") +
           zipped)));
   folder.write("data.zraw", zipped);
-  const Volume volume = read_volume(
+  const Volume volume = volume_of(
       folder.write("apart.mhd", metaimage_header("BinaryDataByteOrderMSB = True\nCompressedData = True\nElementType = "
                                                  "MET_SHORT\nElementDataFile = data.zraw")));
   expect_oblique(volume);
   EXPECT_EQ(volume.lattice.space, "LPS");
   folder.write("data.raw", "header" + bytes_of_samples<std::uint8_t>(samples()));
-  expect_oblique(read_volume(folder.write(
+  expect_oblique(volume_of(folder.write(
       "tail.mhd", metaimage_header("HeaderSize = -1\nElementType = MET_UCHAR\nElementDataFile = data.raw"))));
 }
 
@@ -100,7 +100,7 @@ TEST(ReadMetaImage, SamplesAreAsVtkReadsThem) {
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkDataArray* array = reader->GetOutput()->GetPointData()->GetScalars();
-  const Volume volume = read_volume(path);
+  const Volume volume = volume_of(path);
   expect_samples_of(array, volume);
 }
 
@@ -109,16 +109,16 @@ TEST(ReadNifti, KeepsNodesInPlaceBySformAndByQform) {
   NiftiHeader by_sform;
   by_sform.put_sform(oblique(), origin);
   by_sform.put_qform(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());  // the sform wins
-  const Volume volume = read_volume(folder.write("sform.nii", by_sform.bytes() + bytes_of_samples<float>(samples())));
+  const Volume volume = volume_of(folder.write("sform.nii", by_sform.bytes() + bytes_of_samples<float>(samples())));
   expect_oblique(volume);
   EXPECT_EQ(volume.lattice.space, "RAS");
   NiftiHeader by_qform;
   by_qform.put_qform(oblique(), origin);
   expect_oblique(
-      read_volume(folder.write("qform.nii.gz", deflated(by_qform.bytes() + bytes_of_samples<float>(samples()), true))));
+      volume_of(folder.write("qform.nii.gz", deflated(by_qform.bytes() + bytes_of_samples<float>(samples()), true))));
   NiftiHeader swapped(true);
   swapped.put_sform(oblique(), origin);
-  expect_oblique(read_volume(folder.write("swapped.nii", swapped.bytes() + bytes_of_samples<float>(samples(), true))));
+  expect_oblique(volume_of(folder.write("swapped.nii", swapped.bytes() + bytes_of_samples<float>(samples(), true))));
 }
 
 TEST(ReadNifti, ALeftHandedQformKeepsEachSampleAtItsPlace) {
@@ -127,7 +127,7 @@ TEST(ReadNifti, ALeftHandedQformKeepsEachSampleAtItsPlace) {
   header.put_qform(oblique(), origin);
   header.put<float>(76, -1.0F);
   const FloatVolume volume =
-      as_float(read_volume(folder.write("left.nii", header.bytes() + bytes_of_samples<float>(samples()))));
+      as_float(volume_of(folder.write("left.nii", header.bytes() + bytes_of_samples<float>(samples()))));
   const Eigen::Matrix3d left = oblique() * Eigen::Vector3d(1.0, 1.0, -1.0).asDiagonal();
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
@@ -150,34 +150,34 @@ TEST(ReadNifti, AppliesSlopeAndInterceptOnceAndUnits) {
   header.put<float>(112, 0.25F);
   header.put<float>(116, -3.0F);
   const std::string data = bytes_of_samples<std::uint8_t>(samples());
-  const FloatVolume volume = as_float(read_volume(folder.write("scaled.nii", header.bytes() + data)));
+  const FloatVolume volume = as_float(volume_of(folder.write("scaled.nii", header.bytes() + data)));
   for (std::size_t n = 0; n < volume.samples.size(); ++n) EXPECT_EQ(volume.samples[n], 0.25F * samples()[n] - 3.0F);
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-6);
   header.put<float>(112, 0.0F);  // no scaling at all, whatever the intercept says
   header.put<std::uint8_t>(123, 3);
-  const Volume plain = read_volume(folder.write("plain.nii", header.bytes() + data));
+  const Volume plain = volume_of(folder.write("plain.nii", header.bytes() + data));
   EXPECT_EQ(floats_of(plain), samples());
   EXPECT_LT((plain.lattice.spacing - 1e-3 * spacing).norm(), 1e-9);
 }
 
 TEST(ReadVti, KeepsNodesInPlaceAlsoWhereTheExtentDoesNotStartAtZero) {
   const TestFolder folder;
-  expect_oblique(read_volume(folder.write("volume.vti", vti_text(text_of_samples()))));
+  expect_oblique(volume_of(folder.write("volume.vti", vti_text(text_of_samples()))));
 }
 
 TEST(ReadInrimage, ReadsTypesAndByteOrdersWithSpacing) {
   const TestFolder folder;
-  const Volume volume = read_volume(folder.write(
+  const Volume volume = volume_of(folder.write(
       "f.inr", inrimage(inrimage_fields("TYPE=float\nPIXSIZE=32 bits", "decm"), bytes_of_samples<float>(samples()))));
   EXPECT_EQ(floats_of(volume), samples());
   EXPECT_EQ(volume.lattice.size, (std::array<int, 3>{nx, ny, nz}));
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-12);
   const std::string big = inrimage(inrimage_fields("TYPE=unsigned fixed\nPIXSIZE=16 bits", "sun"),
                                    bytes_of_samples<std::uint16_t>(samples(), true));
-  EXPECT_EQ(floats_of(read_volume(folder.write("u.inr.gz", deflated(big, true)))), samples());
+  EXPECT_EQ(floats_of(volume_of(folder.write("u.inr.gz", deflated(big, true)))), samples());
   const std::string bytes =
       inrimage(inrimage_fields("TYPE=unsigned fixed\nPIXSIZE=8 bits", "pc"), bytes_of_samples<std::uint8_t>(samples()));
-  EXPECT_EQ(floats_of(read_volume(folder.write("b.inr", bytes))), samples());
+  EXPECT_EQ(floats_of(volume_of(folder.write("b.inr", bytes))), samples());
 }
 
 TEST(ReadRaw, OneFileOrOneASliceInBothByteOrders) {

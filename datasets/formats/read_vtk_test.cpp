@@ -12,8 +12,8 @@
 #include <vtkPointData.h>
 #include <vtkXMLImageDataWriter.h>
 
-#include "isobench/datasets/formats/oblique_files.h"
-#include "isobench/datasets/formats/test_vtk_writer.h"
+#include "isobench/datasets/formats/testing/oblique_files.h"
+#include "isobench/datasets/formats/vtk/test_vtk_writer.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -43,7 +43,7 @@ TEST(ReadVti, AllThatVtkWrites) {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->SetBlockSize(256);  // four blocks, the last one shorter
-  write_all_variants(*writer, path, [&path] { expect_oblique(read_volume(path)); });
+  write_all_variants(*writer, path, [&path] { expect_oblique(volume_of(path)); });
 }
 
 TEST(ReadVti, EverySampleTypeAndSeveralPieces) {
@@ -67,7 +67,7 @@ TEST(ReadVti, EverySampleTypeAndSeveralPieces) {
     if (type == VTK_SIGNED_CHAR) {
       for (float& sample : expected) sample = std::min(sample, 127.0F);
     }
-    EXPECT_EQ(floats_of(read_volume(path)), expected);
+    EXPECT_EQ(floats_of(volume_of(path)), expected);
   }
 }
 
@@ -132,7 +132,7 @@ TEST(ReadNifti, AllThatVtkWrites) {
         vtkNew<vtkNIFTIImageReader> reader;
         reader->SetFileName(path.c_str());
         reader->Update();
-        expect_same_in_space(*reader, as_float(read_volume(path)));
+        expect_same_in_space(*reader, as_float(volume_of(path)));
       }
     }
   }
@@ -143,7 +143,7 @@ TEST(ReadNifti, WholeNumbersOf64BitsAndDamagedHeaders) {
   NiftiHeader header;
   header.put<std::int16_t>(70, 1024);
   header.put<std::int16_t>(72, 64);
-  EXPECT_EQ(floats_of(read_volume(folder.write("i64.nii", header.bytes() + bytes_of_samples<std::int64_t>(samples())))),
+  EXPECT_EQ(floats_of(volume_of(folder.write("i64.nii", header.bytes() + bytes_of_samples<std::int64_t>(samples())))),
             samples());
   const auto refused = [&](std::size_t at, auto value, const std::string& part) {
     NiftiHeader damaged;

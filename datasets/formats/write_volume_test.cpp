@@ -6,7 +6,7 @@
 #include <vtkNew.h>
 #include <vtkXMLImageDataReader.h>
 
-#include "isobench/datasets/formats/oblique_files.h"
+#include "isobench/datasets/formats/testing/oblique_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 
 namespace isobench {
@@ -29,7 +29,7 @@ TEST(WriteVolume, WhatIsWrittenIsReadAgainInPlace) {
       Volume volume = oblique_volume();
       volume.lattice.space = space;
       write_volume(volume, folder.path() / name);
-      const Volume again = read_volume(folder.path() / name);
+      const Volume again = volume_of(folder.path() / name);
       expect_oblique(again);
       EXPECT_LT((again.lattice.direction - volume.lattice.direction).norm(), 1e-12) << name;
       EXPECT_LT((again.lattice.origin - volume.lattice.origin).norm(), 1e-12) << name;
@@ -55,7 +55,7 @@ TEST(WriteVolume, SamplesKeepTheirType) {
     const Volume volume{oblique_volume().lattice, samples};
     for (const char* name : {"typed.nrrd", "typed.vti"}) {
       write_volume(volume, folder.path() / name);
-      EXPECT_EQ(read_volume(folder.path() / name).samples, samples) << name << ' ' << to_string(samples.type());
+      EXPECT_EQ(volume_of(folder.path() / name).samples, samples) << name << ' ' << to_string(samples.type());
     }
   }
 }

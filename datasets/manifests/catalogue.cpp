@@ -8,6 +8,7 @@
 #include "isobench/datasets/manifests/dataset_names.h"
 #include "isobench/datasets/manifests/manifest.h"
 #include "isobench/datasets/manifests/settle_surface.h"
+#include "isobench/datasets/preparation/needed_steps.h"
 #include "isobench/foundation/sha256.h"
 
 namespace isobench {
@@ -21,7 +22,10 @@ Manifest manifest_of(const std::string& name, const Place& place) {
 
 Volume read_data(const Manifest& manifest, const DataFiles& data, Monitor& monitor) {
   const auto stage = monitor.stage("read");
-  return manifest.raw ? read_raw(data.paths, *manifest.raw) : read_volume(data.paths.front());
+  if (manifest.raw) return read_raw(data.paths, *manifest.raw);
+  VolumeFile file = read_volume(data.paths.front(), manifest.part);
+  for (const std::string& note : file.notes) monitor.note(note);
+  return std::move(file.volume);
 }
 
 // For example ", gap 1 mm".
@@ -73,9 +77,12 @@ Dataset load_files(const Manifest& manifest, const SurfaceChoices& choices, Moni
   monitor.note(fmt::format("{}: read from {}", manifest.name, data.source));
   dataset.source = data.source;
   dataset.checksum = manifest_checksum(manifest, data.sums);
-  for (const PrepareStep& step : manifest.steps) dataset.preparation.push_back(describe(step));
   try {
-    Volume volume = prepare(read_data(manifest, data, monitor), manifest.steps, monitor);
+    Volume volume = read_data(manifest, data, monitor);
+    const std::vector<PrepareStep> steps =
+        with_needed_steps(manifest.steps, volume, manifest.isovalue, manifest.inside == Inside::below);
+    for (const PrepareStep& step : steps) dataset.preparation.push_back(describe(step));
+    volume = prepare(std::move(volume), steps, monitor);
     {
       const auto stage = monitor.stage("spline");
       dataset.surface =

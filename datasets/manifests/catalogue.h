@@ -81,11 +81,12 @@ struct FileSurface {
   Kernel kernel = Kernel::bspline;
   Border border = Border::close;
   SurfaceChoices choices = {};
+  VolumeChoice part = {};  ///< of a file that holds several volumes
 };
 
 /// Makes a dataset of any volume file: smooths it with a Gaussian of `asked.smooth_voxels` (0: no smoothing), and
 /// closes an object that reaches the border (CloseBorder), with a note to the monitor, or refuses it. The checksum
-/// covers the samples, rounded to float, and these arguments. Throws what read_volume(), prepare(), Isosurface and
+/// covers the samples and these arguments. Throws what read_volume(), prepare(), Isosurface and
 /// settle_surface() throw.
 Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/datasets/manifests/dataset_names.h"
 #include "isobench/datasets/manifests/manifest_generated.h"
 #include "isobench/datasets/manifests/manifest_steps.h"
@@ -79,6 +79,31 @@ ManifestFile parse_file(const TomlValue& table, const std::string& address,
   return file;
 }
 
+VolumeChoice parse_part(const TomlValue& table) {
+  VolumeChoice part;
+  if (const auto step = table.find("step")) part.step = static_cast<std::size_t>(parse_count(*step, 0));
+  if (const auto component = table.find("component"))
+    part.component = static_cast<std::size_t>(parse_count(*component, 0));
+  const auto text = [&](const char* key) {
+    const auto found = table.find(key);
+    return found ? found->as_string() : std::string();
+  };
+  part.array = text("array");
+  part.segment = text("segment");
+  part.series = text("series");
+  return part;
+}
+
+std::string describe(const VolumeChoice& part) {
+  std::string text;
+  if (part.step) text += fmt::format("step {}\n", *part.step);
+  if (part.component) text += fmt::format("component {}\n", *part.component);
+  if (!part.array.empty()) text += fmt::format("array {}\n", part.array);
+  if (!part.segment.empty()) text += fmt::format("segment {}\n", part.segment);
+  if (!part.series.empty()) text += fmt::format("series {}\n", part.series);
+  return text;
+}
+
 RawLayout parse_raw(const TomlValue& table) {
   table.allow_keys({"size", "spacing", "type", "byte_order"}, "[data.raw]");
   RawLayout raw;
@@ -104,7 +129,10 @@ RawLayout parse_raw(const TomlValue& table) {
 }
 
 void parse_data(const TomlValue& table, Manifest& manifest) {
-  table.allow_keys({"folder", "address", "package", "archive", "files", "raw"}, "[data]");
+  table.allow_keys(
+      {"folder", "address", "package", "archive", "files", "raw", "step", "component", "array", "segment", "series"},
+      "[data]");
+  manifest.part = parse_part(table);
   if (const auto folder = table.find("folder"))
     manifest.folder = parse_relative(*folder);
   else if (manifest.beside.empty() && manifest.folder.empty())
@@ -283,6 +311,7 @@ std::string manifest_checksum(const Manifest& manifest, const std::vector<std::s
     return sha256_of_text(text);
   }
   for (const std::string& sum : file_sums) text += fmt::format("file {}\n", sum);
+  text += describe(manifest.part);
   if (manifest.raw) {
     const RawLayout& raw = *manifest.raw;
     text += fmt::format("raw {} {} {}, {} {} {}, type {}, order {}\n", raw.size[0], raw.size[1], raw.size[2],

@@ -45,6 +45,7 @@ struct Manifest {
   std::filesystem::path beside;     ///< the folder of a user's own manifest; empty for one of the catalogue
   std::vector<ManifestFile> files;  ///< the first is read and may name the others; raw files are all read, in order
   std::optional<ManifestPackage> package;
+  VolumeChoice part;  ///< of a file that holds several volumes
   std::optional<RawLayout> raw;
   std::optional<ManifestPhantom> phantom;
   std::optional<GeneratedRequest> generated;

@@ -11,33 +11,35 @@ namespace isobench {
 namespace {
 
 /// The weights at 0, 1, …, radius. The whole kernel, both sides, sums to 1.
-std::vector<float> half_kernel(double sigma) {
+template <class Real>
+std::vector<Real> half_kernel(double sigma) {
   const int radius = static_cast<int>(std::lround(4.0 * sigma));
-  if (radius == 0) return {1.0F};  // here, too, if the square of sigma would be 0
+  if (radius == 0) return {Real{1}};  // here, too, if the square of sigma would be 0
   std::vector<double> weights(static_cast<std::size_t>(radius) + 1);
   double sum = 0.0;
   for (int t = 0; t <= radius; ++t) {
     weights[static_cast<std::size_t>(t)] = std::exp(-0.5 * t * t / (sigma * sigma));
     sum += (t == 0 ? 1.0 : 2.0) * weights[static_cast<std::size_t>(t)];
   }
-  std::vector<float> kernel;
-  for (const double weight : weights) kernel.push_back(static_cast<float>(weight / sum));
+  std::vector<Real> kernel;
+  for (const double weight : weights) kernel.push_back(static_cast<Real>(weight / sum));
   return kernel;
 }
 
 /// Along x: copies each row, repeats its ends in the copy, and filters the copy into the row.
-void filter_x(FloatVolume& volume, const std::vector<float>& kernel) {
+template <class Real>
+void filter_x(RealVolume<Real>& volume, const std::vector<Real>& kernel) {
   const auto count = static_cast<std::size_t>(volume.lattice.size[0]);
   const std::size_t rows = volume.samples.size() / count;
   const std::size_t radius = kernel.size() - 1;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& range) {
-    std::vector<float> padded(count + 2 * radius);
+    std::vector<Real> padded(count + 2 * radius);
     for (std::size_t row = range.begin(); row < range.end(); ++row) {
-      float* samples = volume.samples.data() + row * count;
+      Real* samples = volume.samples.data() + row * count;
       std::fill_n(padded.begin(), radius, samples[0]);
       std::copy_n(samples, count, padded.begin() + static_cast<std::ptrdiff_t>(radius));
       std::fill_n(padded.end() - static_cast<std::ptrdiff_t>(radius), radius, samples[count - 1]);
-      const float* centre = padded.data() + radius;
+      const Real* centre = padded.data() + radius;
       for (std::size_t n = 0; n < count; ++n) samples[n] = kernel[0] * centre[n];
       for (std::size_t t = 1; t <= radius; ++t) {
         for (std::size_t n = 0; n < count; ++n) samples[n] += kernel[t] * (*(centre + n - t) + centre[n + t]);
@@ -47,7 +49,8 @@ void filter_x(FloatVolume& volume, const std::vector<float>& kernel) {
 }
 
 /// Along y or z: copies each sheet of `count` rows and filters the copy into the sheet, a whole row at a time.
-void filter_sheets(FloatVolume& volume, int axis, const std::vector<float>& kernel) {
+template <class Real>
+void filter_sheets(RealVolume<Real>& volume, int axis, const std::vector<Real>& kernel) {
   const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
   const auto ny = static_cast<std::size_t>(volume.lattice.size[1]);
   const auto nz = static_cast<std::size_t>(volume.lattice.size[2]);
@@ -57,16 +60,16 @@ void filter_sheets(FloatVolume& volume, int axis, const std::vector<float>& kern
   const std::size_t sheet_stride = axis == 1 ? nx * ny : nx;
   const std::size_t radius = kernel.size() - 1;
   tbb::parallel_for(std::size_t{0}, sheets, [&](std::size_t sheet) {
-    float* first = volume.samples.data() + sheet * sheet_stride;
-    std::vector<float> copy(count * nx);
+    Real* first = volume.samples.data() + sheet * sheet_stride;
+    std::vector<Real> copy(count * nx);
     for (std::size_t n = 0; n < count; ++n) std::copy_n(first + n * stride, nx, copy.data() + n * nx);
     for (std::size_t n = 0; n < count; ++n) {
-      float* out = first + n * stride;
-      const float* centre = copy.data() + n * nx;
+      Real* out = first + n * stride;
+      const Real* centre = copy.data() + n * nx;
       for (std::size_t i = 0; i < nx; ++i) out[i] = kernel[0] * centre[i];
       for (std::size_t t = 1; t <= radius; ++t) {
-        const float* before = copy.data() + (n >= t ? n - t : 0) * nx;
-        const float* after = copy.data() + std::min(n + t, count - 1) * nx;
+        const Real* before = copy.data() + (n >= t ? n - t : 0) * nx;
+        const Real* after = copy.data() + std::min(n + t, count - 1) * nx;
         for (std::size_t i = 0; i < nx; ++i) out[i] += kernel[t] * (before[i] + after[i]);
       }
     }
@@ -75,16 +78,20 @@ void filter_sheets(FloatVolume& volume, int axis, const std::vector<float>& kern
 
 }  // namespace
 
-void gaussian(FloatVolume& volume, const Eigen::Vector3d& sigma, Monitor& monitor) {
+template <class Real>
+void gaussian(RealVolume<Real>& volume, const Eigen::Vector3d& sigma, Monitor& monitor) {
   for (int axis = 0; axis < 3; ++axis) {
     monitor.progress(axis / 3.0);
     if (sigma[axis] <= 0.0) continue;
-    const std::vector<float> kernel = half_kernel(sigma[axis]);
+    const std::vector<Real> kernel = half_kernel<Real>(sigma[axis]);
     if (axis == 0)
       filter_x(volume, kernel);
     else
       filter_sheets(volume, axis, kernel);
   }
 }
+
+template void gaussian(FloatVolume&, const Eigen::Vector3d&, Monitor&);
+template void gaussian(DoubleVolume&, const Eigen::Vector3d&, Monitor&);
 
 }  // namespace isobench

@@ -22,32 +22,48 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 std::string triple(const Eigen::Vector3d& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
+// Gives the volume to `change` as floats, or as doubles if floats would round samples: labels of thirty bits, or values
+// on a large pedestal.
+template <class Change>
+void compute(Volume& volume, const Change& change) {
+  if (needs_double(volume))
+    volume = change(as_real<double>(std::move(volume)));
+  else
+    volume = change(as_real<float>(std::move(volume)));
+}
+
 void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
-  const auto floats = [&] { return as_float(std::move(volume)); };
-  std::visit(Overloaded{
-                 [&](const Threshold& s) { threshold(volume, s.at); },
-                 [&](const SelectLabels& s) { select_labels(volume, s.labels); },
-                 [&](const LargestComponent&) { keep_largest_component(volume); },
-                 [&](const Crop& s) { crop(volume, s.margin); },
-                 [&](const Pad& s) { pad(volume, s.voxels, s.value); },
-                 [&](const Resample& s) { volume = resample(floats(), s.spacing); },
-                 [&](const SignedDistance&) { volume = signed_distance(std::move(volume), monitor); },
-                 [&](const Gaussian& s) {
-                   FloatVolume smooth = floats();
-                   gaussian(smooth, s.sigma, monitor);
-                   volume = std::move(smooth);
-                 },
-                 [&](const CloseBorder& s) { close_border(volume, s, monitor); },
-                 [&](const Subsample& s) { volume = subsample(floats(), s.factor); },
-                 [&](const Cut& s) { cut(volume, s); },
-             },
-             step);
+  std::visit(
+      Overloaded{
+          [&](const Threshold& s) { threshold(volume, s.at); },
+          [&](const SelectLabels& s) { select_labels(volume, s.labels); },
+          [&](const LargestComponent&) { keep_largest_component(volume); },
+          [&](const Crop& s) { crop(volume, s.margin); },
+          [&](const Pad& s) { pad(volume, s.voxels, s.value); },
+          [&](const Resample& s) { compute(volume, [&](const auto& reals) { return resample(reals, s.spacing); }); },
+          [&](const SignedDistance&) { volume = signed_distance(std::move(volume), monitor); },
+          [&](const Gaussian& s) {
+            compute(volume, [&](auto&& reals) {
+              gaussian(reals, s.sigma, monitor);
+              return std::move(reals);
+            });
+          },
+          [&](const CloseBorder& s) { close_border(volume, s, monitor); },
+          [&](const Subsample& s) { compute(volume, [&](const auto& reals) { return subsample(reals, s.factor); }); },
+          [&](const Cut& s) { cut(volume, s); },
+          [&](const FillOutside& s) { fill_outside(volume, s, monitor); },
+          [&](const Rectangular& s) {
+            const double outside = value_outside(volume, {s.isovalue, s.object_below});
+            compute(volume, [&](const auto& reals) { return rectangular(reals, outside, monitor); });
+          },
+      },
+      step);
 }
 
 const char* name_of(const PrepareStep& step) {
   static constexpr const char* names[] = {
-      "threshold",       "labels",   "largest-component", "crop",      "pad", "resample",
-      "signed-distance", "gaussian", "close-border",      "subsample", "cut"};
+      "threshold", "labels",       "largest-component", "crop", "pad",          "resample",   "signed-distance",
+      "gaussian",  "close-border", "subsample",         "cut",  "fill-outside", "rectangular"};
   static_assert(std::size(names) == std::variant_size_v<PrepareStep>);
   return names[step.index()];
 }
@@ -74,6 +90,8 @@ std::string describe(const PrepareStep& step) {
           [&](const Cut& s) {
             return fmt::format("{} {} nodes from node ({})", name, fmt::join(s.size, " × "), fmt::join(s.from, ", "));
           },
+          [&](const FillOutside&) { return name + ": samples that are not finite"; },
+          [&](const Rectangular&) { return name + ": sampled on perpendicular axes, linear"; },
       },
       step);
 }

@@ -58,6 +58,21 @@ struct CloseBorder {
   double isovalue = 0.0;
   bool object_below = false;  ///< the object is where values are below the isovalue
 };
+/// Replaces samples that say nothing, NaN and infinity away from the object, by a value outside the object: the one
+/// farthest outside that the volume has, and at least a tenth of the samples' range away from c. The monitor gets a
+/// note with their number. Throws DataError naming the node if a sample is infinite on the object's side.
+struct FillOutside {
+  double isovalue = 0.0;
+  bool object_below = false;
+};
+/// Samples a volume whose axes are not perpendicular (a tilted gantry) on perpendicular ones, linearly: i stays, j and
+/// k become perpendicular to it and to each other, with the same number of nodes to a length. Slices whose i and j are
+/// perpendicular stay where they are, so that each is only shifted in its plane. The box holds all old nodes; what lies
+/// beyond them is outside the object, as FillOutside sets it. The monitor gets a note.
+struct Rectangular {
+  double isovalue = 0.0;
+  bool object_below = false;
+};
 /// The mean of each block of factor³ nodes, placed at the block's middle. Nodes that do not fill a block at the far
 /// ends are dropped.
 struct Subsample {
@@ -69,16 +84,16 @@ struct Cut {
   std::array<int, 3> size{1, 1, 1};  ///< nodes
 };
 using PrepareStep = std::variant<Threshold, SelectLabels, LargestComponent, Crop, Pad, Resample, SignedDistance,
-                                 Gaussian, CloseBorder, Subsample, Cut>;
+                                 Gaussian, CloseBorder, Subsample, Cut, FillOutside, Rectangular>;
 
 /// One line for a log or a record, e.g. "gaussian sigma = (1.5, 1.5, 1.5) voxels".
 std::string describe(const PrepareStep& step);
 
-/// Applies the steps in order; nodes keep their place in the world. Threshold and SelectLabels give bytes. Resample,
-/// SignedDistance, Gaussian and Subsample give floats. The other steps keep the type of the samples, unless this
-/// type cannot hold a value that they set: then it becomes RealOf the type. Throws DataError if a step leaves nothing
-/// (an empty crop, a threshold that no sample reaches) or cannot be done (a distance in a volume that is all inside, a
-/// cut beyond the volume).
+/// Applies the steps in order; nodes keep their place in the world. Threshold and SelectLabels give bytes,
+/// SignedDistance gives floats. Resample, Gaussian, Subsample and Rectangular give floats, or doubles if some sample is
+/// none that a float can hold. The other steps keep the type of the samples, unless this type cannot hold a value that
+/// they set: then it becomes RealOf the type. Throws DataError if a step leaves nothing (an empty crop, a threshold
+/// that no sample reaches) or cannot be done (a distance in a volume that is all inside, a cut beyond the volume).
 /// Time: linear in the nodes for every step. Memory: at most the samples before and after one step. Resample,
 /// SignedDistance, Gaussian and Subsample are threaded and give the same bits with any number of threads.
 Volume prepare(Volume volume, const std::vector<PrepareStep>& steps, Monitor& monitor);

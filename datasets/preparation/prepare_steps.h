@@ -20,14 +20,24 @@ void cut(Volume& volume, const Cut& step);
 void pad(Volume& volume, int voxels, double value);
 void close_border(Volume& volume, const CloseBorder& step, Monitor& monitor);
 
-// Steps that compute with floats.
+void fill_outside(Volume& volume, const FillOutside& step, Monitor& monitor);
+/// The value that FillOutside sets. Throws DataError if no sample is finite.
+double value_outside(const Volume& volume, const FillOutside& step);
+
+// Steps that compute with real numbers.
 
 /// Felzenszwalb & Huttenlocher, Distance transforms of sampled functions (2012): one lower envelope of parabolas for
 /// each row and axis. Distances inside and outside share one array; the sign tells them apart.
 FloatVolume signed_distance(Volume volume, Monitor& monitor);
-void gaussian(FloatVolume& volume, const Eigen::Vector3d& sigma, Monitor& monitor);
-FloatVolume resample(const FloatVolume& volume, const Eigen::Vector3d& spacing);
-FloatVolume subsample(const FloatVolume& volume, int factor);
+/// These are compiled for float and for double.
+template <class Real>
+void gaussian(RealVolume<Real>& volume, const Eigen::Vector3d& sigma, Monitor& monitor);
+template <class Real>
+RealVolume<Real> resample(const RealVolume<Real>& volume, const Eigen::Vector3d& spacing);
+template <class Real>
+RealVolume<Real> subsample(const RealVolume<Real>& volume, int factor);
+template <class Real>
+RealVolume<Real> rectangular(const RealVolume<Real>& volume, double outside, Monitor& monitor);
 
 /// Throws DataError unless a volume of this size can be made.
 void check_size(const std::array<int, 3>& size);

@@ -96,7 +96,7 @@ RandomRun random_run(std::uint64_t seed) {
 std::string describe(const RandomRun& run) {
   const auto& [width, height, depth] = run.volume.lattice.size;
   const Eigen::Vector3d& spacing = run.volume.lattice.spacing;
-  const auto& [isovalue, inside, smooth, kernel, border, choices] = run.asked;
+  const auto& [isovalue, inside, smooth, kernel, border, choices, part] = run.asked;
   return fmt::format(
       "random run {}: {}, {} × {} × {} {} at {:.3g} × {:.3g} × {:.3g} mm, {} {}{}, smooth {:.2g}, {}, components from "
       "{:.2g} mm³, {} {}",

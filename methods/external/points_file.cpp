@@ -8,8 +8,9 @@
 #include <sstream>
 #include <string>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/byte_reader.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/foundation/text.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
 #include "isobench/methods/mesh_files/mesh_text.h"

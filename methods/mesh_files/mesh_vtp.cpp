@@ -11,8 +11,8 @@
 
 #include <limits>
 
-#include "isobench/datasets/formats/vtk_messages.h"
-#include "isobench/datasets/formats/vtk_xml.h"
+#include "isobench/datasets/formats/vtk/vtk_messages.h"
+#include "isobench/datasets/formats/vtk/vtk_xml.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"

@@ -10,7 +10,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "isobench/datasets/formats/test_vtk_writer.h"
+#include "isobench/datasets/formats/vtk/test_vtk_writer.h"
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-#include "isobench/datasets/formats/vtk_messages.h"
+#include "isobench/datasets/formats/vtk/vtk_messages.h"
 #include "isobench/foundation/error.h"
 #include "isobench/reports/pictures/actors.h"
 

@@ -1,5 +1,7 @@
 // NRRD. The header is read here, because the reader of VTK 9.1 ignores the space directions and carries on if data are
 // missing. The tests compare samples with VTK's.
+#include "isobench/datasets/formats/nrrd/read_nrrd.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +9,9 @@
 #include <cmath>
 #include <map>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/reading/read_samples.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/text.h"
 
@@ -158,21 +161,21 @@ void read_data(const NrrdHeader& header, const std::filesystem::path& data, std:
 
 }  // namespace
 
-Volume read_nrrd(const std::filesystem::path& path) {
+VolumeFile read_nrrd(const std::filesystem::path& path, const VolumeChoice& /*choice*/) {
   ByteReader reader(path, Encoding::plain);
   const NrrdHeader header = read_nrrd_header(reader);
   Volume volume;
   volume.lattice = lattice_of(header);
   if (!header.has("datafile")) {
     read_data(header, path, reader.consumed(), volume);
-    return volume;
+    return {std::move(volume), {}};
   }
   const std::string file = header.text("datafile");
   if (file.starts_with("LIST") || file.find('%') != std::string::npos) {
     throw DataError(path.string() + ": its data are spread over several files; export it as one file");
   }
   read_data(header, path.parent_path() / file, 0, volume);
-  return volume;
+  return {std::move(volume), {}};
 }
 
 }  // namespace isobench

@@ -1,4 +1,4 @@
-#include "isobench/datasets/formats/vtk_xml.h"
+#include "isobench/datasets/formats/vtk/vtk_xml.h"
 
 #include <expat.h>
 #include <fmt/format.h>
@@ -8,8 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include "isobench/datasets/formats/sample_data.h"
-#include "isobench/datasets/formats/vtk_blocks.h"
+#include "isobench/datasets/formats/reading/byte_reader.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
+#include "isobench/datasets/formats/vtk/vtk_blocks.h"
 #include "isobench/foundation/error.h"
 
 namespace isobench {

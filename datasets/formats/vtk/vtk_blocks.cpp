@@ -1,4 +1,4 @@
-#include "isobench/datasets/formats/vtk_blocks.h"
+#include "isobench/datasets/formats/vtk/vtk_blocks.h"
 
 #include <lz4.h>
 #include <lzma.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 
 namespace isobench {
 

@@ -1,4 +1,6 @@
 // VTI: samples at the nodes of an image, in one piece or in several.
+#include "isobench/datasets/formats/vtk/read_vti.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/vtk_xml.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/vtk/vtk_xml.h"
 #include "isobench/foundation/error.h"
 
 namespace isobench {
@@ -111,7 +113,7 @@ void check_extent(const Extent& extent, const Extent& whole, const VtkXmlFile& f
 
 }  // namespace
 
-Volume read_vti(const std::filesystem::path& path) {
+VolumeFile read_vti(const std::filesystem::path& path, const VolumeChoice& /*choice*/) {
   const VtkXmlFile file(path, "ImageData");
   const Extent whole = extent_of(file.data().attribute("WholeExtent"), path);
   Volume volume;
@@ -133,7 +135,7 @@ Volume read_vti(const std::filesystem::path& path) {
   if (nodes < volume.lattice.nodes()) file.fail("truncated: pieces of it are missing; copy or export it again");
   volume.samples =
       pieces.size() == 1 ? std::move(pieces.front().samples) : assemble(pieces, whole, volume.lattice, file);
-  return volume;
+  return {std::move(volume), {}};
 }
 
 }  // namespace isobench

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/formats/reading/byte_order.h"
 
 namespace isobench {
 

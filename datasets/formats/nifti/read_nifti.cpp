@@ -1,5 +1,7 @@
 // NIfTI-1 and NIfTI-2, header and samples in one file. The header is binary, with fields at fixed places. It is checked
 // here in full: the reader of VTK 9.1 does not check it, and leaves the orientation out of its image.
+#include "isobench/datasets/formats/nifti/read_nifti.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -9,8 +11,9 @@
 #include <cstring>
 #include <fstream>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/reading/read_samples.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/foundation/error.h"
 
 namespace isobench {
@@ -225,7 +228,7 @@ bool is_gzip(const std::filesystem::path& path) {
 
 }  // namespace
 
-Volume read_nifti(const std::filesystem::path& path) {
+VolumeFile read_nifti(const std::filesystem::path& path, const VolumeChoice& /*choice*/) {
   ByteReader reader(path, is_gzip(path) ? Encoding::deflated : Encoding::plain);
   const NiftiHeader header = read_nifti_header(reader);
   Volume volume;
@@ -233,7 +236,8 @@ Volume read_nifti(const std::filesystem::path& path) {
   volume.samples = Samples(type_of(header, path));
   skip_to_samples(reader, header);
   read_samples(reader, volume.lattice.nodes(), header.order, volume.samples);
-  return {std::move(volume.lattice), scaled(std::move(volume.samples), header)};
+  volume.samples = scaled(std::move(volume.samples), header);
+  return {std::move(volume), {}};
 }
 
 }  // namespace isobench

@@ -1,12 +1,15 @@
 // MetaImage. The header is read here, because the reader of VTK 9.1 ignores TransformMatrix, prints to the terminal and
 // carries on if data are missing. The tests compare samples with VTK's.
+#include "isobench/datasets/formats/metaimage/read_metaimage.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 
-#include "isobench/datasets/formats/readers.h"
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/header_values.h"
+#include "isobench/datasets/formats/reading/read_samples.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/text.h"
 
@@ -74,7 +77,7 @@ Lattice lattice_of(const Header& header, const std::filesystem::path& path) {
 
 }  // namespace
 
-Volume read_metaimage(const std::filesystem::path& path) {
+VolumeFile read_metaimage(const std::filesystem::path& path, const VolumeChoice& /*choice*/) {
   ByteReader reader(path, Encoding::plain);
   const Header header(reader);
   Volume volume;
@@ -102,7 +105,7 @@ Volume read_metaimage(const std::filesystem::path& path) {
       ByteReader data(path, encoding, reader.consumed());
       read(data);
     }
-    return volume;
+    return {std::move(volume), {}};
   }
   if (file.empty() || file == "LIST" || file.find('%') != std::string::npos) {
     throw DataError(path.string() + ": its data are spread over several files; export it as one file");
@@ -119,7 +122,7 @@ Volume read_metaimage(const std::filesystem::path& path) {
                                     : file_bytes - std::min(bytes, file_bytes);
   ByteReader data(data_path, encoding, offset);
   read(data);
-  return volume;
+  return {std::move(volume), {}};
 }
 
 }  // namespace isobench

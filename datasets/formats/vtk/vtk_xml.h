@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/formats/reading/byte_order.h"
 #include "isobench/datasets/samples.h"
 
 namespace isobench {

@@ -68,10 +68,15 @@ inline void expect_oblique(const Volume& volume) {
   EXPECT_LT((volume.lattice.spacing - spacing).norm(), 1e-5);
 }
 
+inline Volume volume_of(const std::filesystem::path& path, const VolumeChoice& choice = {}) {
+  return read_volume(path, choice).volume;
+}
+
 /// Expects a message that has `part`, names the file, and is one sentence without a line break.
-inline void expect_data_error(const std::filesystem::path& path, const std::string& part) {
+inline void expect_data_error(const std::filesystem::path& path, const std::string& part,
+                              const VolumeChoice& choice = {}) {
   try {
-    read_volume(path);
+    read_volume(path, choice);
     ADD_FAILURE() << path << " was read; expected: " << part;
   } catch (const DataError& error) {
     const std::string message = error.what();

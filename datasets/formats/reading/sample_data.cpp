@@ -1,155 +1,19 @@
-#include "isobench/datasets/formats/sample_data.h"
+#include "isobench/datasets/formats/reading/sample_data.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <bit>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <map>
+#include <span>
+#include <vector>
 
-#include "isobench/foundation/error.h"
+#include "isobench/datasets/formats/reading/sample_words.h"
 
 namespace isobench {
-
-namespace {
-
-constexpr std::size_t chunk_bytes = std::size_t{1} << 20U;
-
-bool is_foreign(ByteOrder order) { return (order == ByteOrder::big) != (std::endian::native == std::endian::big); }
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n'; }
-
-constexpr std::size_t longest_number = 400;  // characters; printf's %f of the largest double takes 317
-
-/// Converts the samples from number `first` on from the file's byte order to this machine's.
-template <class T>
-void to_native_order(std::vector<T>& samples, std::size_t first, ByteOrder order) {
-  if (sizeof(T) == 1 || !is_foreign(order)) return;
-  for (std::size_t n = first; n < samples.size(); ++n) {
-    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(samples[n]);
-    std::reverse(raw.begin(), raw.end());
-    samples[n] = std::bit_cast<T>(raw);
-  }
-}
-
-/// The number that a word states; std::nullopt for other words. A floating-point number too large for its type becomes
-/// infinite, and check_finite() refuses it later and names its node; one too small becomes 0.
-template <class T>
-std::optional<T> number_of_word(std::string_view word) {
-  if (word.size() > longest_number) return std::nullopt;
-  T value{};
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error == std::errc() && rest == word.data() + word.size()) return value;
-  if constexpr (std::is_integral_v<T>) {
-    const std::optional<double> real = number_of_word<double>(word);
-    const auto least = static_cast<double>(std::numeric_limits<T>::min());
-    const double beyond = std::ldexp(1.0, std::numeric_limits<T>::digits);  // one more than the largest T
-    if (real && *real == std::floor(*real) && *real >= least && *real < beyond) return static_cast<T>(*real);
-  } else if (error == std::errc::result_out_of_range && rest == word.data() + word.size()) {
-    return static_cast<T>(std::strtod(std::string(word).c_str(), nullptr));
-  }
-  return std::nullopt;
-}
-
-/// Words between blanks or commas. They are read in blocks, because a text need not have lines.
-class Words {
- public:
-  explicit Words(ByteReader& reader) : reader_(reader), block_(std::size_t{1} << 16U) {}
-
-  /// std::nullopt at the end of the text.
-  std::optional<std::string_view> next() {
-    char c = ' ';
-    while (is_blank(c)) {
-      if (!take(c)) return std::nullopt;
-    }
-    word_.clear();
-    do {
-      word_.push_back(c);
-      if (word_.size() > longest_number) return word_;
-    } while (take(c) && !is_blank(c));
-    return word_;
-  }
-
- private:
-  bool take(char& c) {
-    if (begin_ == end_) {
-      begin_ = 0;
-      end_ = reader_.read(block_.data(), block_.size());
-      if (end_ == 0) return false;
-    }
-    c = block_[begin_++];
-    return true;
-  }
-
-  ByteReader& reader_;
-  std::vector<char> block_;
-  std::size_t begin_ = 0;
-  std::size_t end_ = 0;
-  std::string word_;
-};
-
-[[noreturn]] void throw_truncated(const std::filesystem::path& path, std::size_t found, std::size_t expected) {
-  throw DataError(fmt::format(
-      "{}: truncated: its header states {} samples, but data for at most {} follow; copy or export it again",
-      path.string(), expected, found));
-}
-
-template <class T>
-void read_binary(ByteReader& reader, std::size_t count, ByteOrder order, std::vector<T>& samples) {
-  const std::size_t possible = reader.possible_bytes() / sizeof(T);
-  if (possible < count) throw_truncated(reader.path(), possible, count);
-  // This takes only addresses, no memory yet: a compressed file's header may state a thousand times what it holds.
-  samples.reserve(samples.size() + count);
-  for (std::size_t done = 0; done < count;) {
-    const std::size_t part = std::min(count - done, chunk_bytes / sizeof(T));
-    const std::size_t first = samples.size();
-    samples.resize(first + part);
-    const std::size_t got = reader.read(reinterpret_cast<char*>(samples.data() + first), part * sizeof(T)) / sizeof(T);
-    if (got < part) throw_truncated(reader.path(), done + got, count);
-    to_native_order(samples, first, order);
-    done += part;
-  }
-  reader.finish();
-}
-
-template <class T>
-SampleType type_of_samples() {
-  return Samples(std::vector<T>()).type();
-}
-
-template <class T>
-void read_text(ByteReader& reader, std::size_t count, std::vector<T>& samples) {
-  const std::size_t possible = reader.possible_bytes() / 2 + 1;  // a digit and a blank each
-  if (possible < count) throw_truncated(reader.path(), possible, count);
-  samples.reserve(samples.size() + count);
-  Words words(reader);
-  for (std::size_t done = 0; done < count; ++done) {
-    const std::optional<std::string_view> word = words.next();
-    if (!word) throw_truncated(reader.path(), done, count);
-    const std::optional<T> value = number_of_word<T>(*word);
-    if (!value) {
-      throw DataError(fmt::format("{}: '{}' among its samples is not a number of type {}; export it again",
-                                  reader.path().string(), word->substr(0, 20), to_string(type_of_samples<T>())));
-    }
-    samples.push_back(*value);
-  }
-  reader.finish();
-}
-
-}  // namespace
 
 void convert_samples(const char* bytes, std::size_t count, SampleType type, ByteOrder order, double* numbers) {
   Samples(type).visit([&](const auto& none) {
     using T = SampleOf<decltype(none)>;
     for (std::size_t n = 0; n < count; ++n) {
-      std::array<char, sizeof(T)> raw{};
-      std::memcpy(raw.data(), bytes + n * sizeof(T), sizeof(T));
-      if (is_foreign(order)) std::reverse(raw.begin(), raw.end());
-      numbers[n] = static_cast<double>(std::bit_cast<T>(raw));
+      numbers[n] = static_cast<double>(number_at<T>(bytes + n * sizeof(T), order));
     }
   });
 }
@@ -159,7 +23,7 @@ Samples samples_of_bytes(const char* bytes, std::size_t count, SampleType type, 
   samples.visit([&](auto& values) {
     values.resize(count);
     std::memcpy(values.data(), bytes, count * bytes_of(type));
-    to_native_order(values, 0, order);
+    to_native_order(std::span(values), order);
   });
   return samples;
 }
@@ -248,14 +112,6 @@ std::optional<SampleType> sample_type(const std::string& name) {
                                                           {"double", SampleType::f64}};
   const auto found = names.find(name);
   return found == names.end() ? std::nullopt : std::optional(found->second);
-}
-
-void read_samples(ByteReader& reader, std::size_t count, ByteOrder order, Samples& samples) {
-  samples.visit([&](auto& values) { read_binary(reader, count, order, values); });
-}
-
-void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples) {
-  samples.visit([&](auto& values) { read_text(reader, count, values); });
 }
 
 }  // namespace isobench

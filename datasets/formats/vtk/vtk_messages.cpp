@@ -1,4 +1,4 @@
-#include "isobench/datasets/formats/vtk_messages.h"
+#include "isobench/datasets/formats/vtk/vtk_messages.h"
 
 #include <vtkLogger.h>
 #include <vtkNew.h>

@@ -1,0 +1,35 @@
+// The values of a file's header: what every reader checks in the same way. A DataError names the file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "isobench/datasets/volume.h"
+
+namespace isobench {
+
+/// Makes and checks a lattice; the columns of `direction` may have any length and are normalised. They need not be
+/// perpendicular. Throws DataError naming the file if a size is below 1 or their product too large, if a spacing is not
+/// positive, if the three axes lie nearly in a plane, or if the origin is not finite.
+Lattice make_lattice(const std::filesystem::path& path, const std::array<long long, 3>& size,
+                     const Eigen::Vector3d& spacing, const Eigen::Matrix3d& direction, const Eigen::Vector3d& origin,
+                     const std::string& space);
+
+/// A number of nodes or steps as a header states it; 0, which make_lattice() refuses, unless it is a whole number from
+/// 1 to 2^31 - 1.
+long long size_in(double number);
+
+/// The numbers in a text, which may have brackets and commas; none in an empty text. Throws DataError naming the file
+/// and `what` if something else is among them.
+std::vector<double> all_numbers_in(const std::string& text, const std::filesystem::path& path, const std::string& what);
+
+/// The same; throws DataError, too, if there are not exactly `count` of them.
+std::vector<double> numbers_in(const std::string& text, std::size_t count, const std::filesystem::path& path,
+                               const std::string& what);
+
+/// How many mm a unit of length has, in the spellings that files have: "mm", "millimeter", "µm" with either of the two
+/// signs for mu, "m" and so on; "", "?" and "pixel" count as mm. Throws DataError for any other unit.
+double unit_in_mm(const std::string& unit, const std::filesystem::path& path);
+
+}  // namespace isobench

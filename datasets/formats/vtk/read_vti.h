@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+#include "isobench/datasets/formats/reading/volume_file.h"
+
+namespace isobench {
+
+VolumeFile read_vti(const std::filesystem::path& path, const VolumeChoice& choice);
+
+}  // namespace isobench
