@@ -28,7 +28,7 @@ struct Format {
 
 constexpr KnownChoices time_and_components{.step = true, .component = true};
 constexpr KnownChoices segments_too{.step = true, .component = true, .segment = true};
-constexpr KnownChoices arrays{.component = true, .array = true};
+constexpr KnownChoices named_arrays{.component = true, .array = true};
 
 constexpr Format formats[] = {{".nrrd", "NRRD", read_nrrd, segments_too},
                               {".nhdr", "NRRD", read_nrrd, segments_too},
@@ -36,7 +36,7 @@ constexpr Format formats[] = {{".nrrd", "NRRD", read_nrrd, segments_too},
                               {".mha", "MetaImage", read_metaimage, time_and_components},
                               {".nii", "NIfTI", read_nifti, time_and_components},
                               {".nii.gz", "NIfTI", read_nifti, time_and_components},
-                              {".vti", "VTI", read_vti, arrays},
+                              {".vti", "VTI", read_vti, named_arrays},
                               {".inr", "INRIMAGE", read_inrimage, {}},
                               {".inr.gz", "INRIMAGE", read_inrimage, {}}};
 
@@ -64,6 +64,17 @@ void check_choice(const VolumeChoice& choice, const Format& format, const std::f
 }
 
 }  // namespace
+
+std::string volume_formats_text() {
+  std::string text;
+  std::string name;
+  for (const Format& format : formats) {
+    if (format.name != name) text += fmt::format("{}{} (", text.empty() ? "" : "), ", format.name);
+    text += fmt::format("{}{}", format.name == name ? ", " : "", format.ending);
+    name = format.name;
+  }
+  return text + ")";
+}
 
 VolumeFile read_volume(const std::filesystem::path& path, const VolumeChoice& choice) {
   const Format& format = format_of(path);

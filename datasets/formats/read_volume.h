@@ -19,6 +19,9 @@ namespace isobench {
 /// something that the file or its format does not have.
 VolumeFile read_volume(const std::filesystem::path& path, const VolumeChoice& choice = {});
 
+/// The formats that read_volume() knows, for a help text: "NRRD (.nrrd, .nhdr), …".
+std::string volume_formats_text();
+
 /// How to read a file without a header.
 struct RawLayout {
   std::array<int, 3> size{};                          ///< nodes of the whole volume along i, j, k

@@ -70,26 +70,6 @@ std::string dataset_checksum(const std::string& name, const Place& place = {});
 /// `min_component` (mm³) replaces the manifest's own, if it is larger.
 Dataset load_dataset(const std::string& name, Monitor& monitor, const Place& place = {}, double min_component = 0.0);
 
-/// What to do with an object that reaches the volume's border.
-enum class Border { close, refuse };
-
-/// Which surface of a volume file is asked for.
-struct FileSurface {
-  double isovalue = 0.0;
-  Inside inside = Inside::above;
-  double smooth_voxels = 0.0;
-  Kernel kernel = Kernel::bspline;
-  Border border = Border::close;
-  SurfaceChoices choices = {};
-  VolumeChoice part = {};  ///< of a file that holds several volumes
-};
-
-/// Makes a dataset of any volume file: smooths it with a Gaussian of `asked.smooth_voxels` (0: no smoothing), and
-/// closes an object that reaches the border (CloseBorder), with a note to the monitor, or refuses it. The checksum
-/// covers the samples and these arguments. Throws what read_volume(), prepare(), Isosurface and
-/// settle_surface() throw.
-Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor);
-
 /// Fetches a dataset's files into the cache, unless ISOBENCH_DATA or the cache has them. Returns their paths, none for
 /// a phantom or a generated dataset.
 std::vector<std::filesystem::path> fetch_dataset(const std::string& name, Monitor& monitor);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "isobench/datasets/manifests/file_surface.h"
 #include "isobench/datasets/manifests/manifest.h"
 #include "isobench/foundation/processes/run_command.h"
 #include "isobench/foundation/sha256.h"

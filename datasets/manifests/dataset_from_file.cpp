@@ -4,10 +4,14 @@
 #include <cmath>
 #include <vector>
 
-#include "isobench/datasets/manifests/catalogue.h"
-#include "isobench/datasets/manifests/manifest.h"
+#include "isobench/datasets/formats/read_volume.h"
+#include "isobench/datasets/manifests/file_surface.h"
 #include "isobench/datasets/manifests/settle_surface.h"
+#include "isobench/datasets/preparation/components.h"
 #include "isobench/datasets/preparation/needed_steps.h"
+#include "isobench/datasets/topology/component_volumes.h"
+#include "isobench/foundation/error.h"
+#include "isobench/foundation/files/whole_files.h"
 #include "isobench/foundation/sha256.h"
 
 namespace isobench {
@@ -46,47 +50,94 @@ std::string checksum_of(const Volume& volume, const std::string& arguments) {
   return hash.hex();
 }
 
+/// What the checksum covers besides the samples.
+std::string arguments_text(const FileSurface& asked, double isovalue, const std::vector<PrepareStep>& steps) {
+  std::string text = fmt::format("volume file {} {} {}\n", isovalue, to_string(asked.inside), to_string(asked.kernel));
+  for (const PrepareStep& step : steps) text += describe(step) + "\n";
+  return text;
+}
+
+/// A mask before it is smoothed.
+struct Mask {
+  std::size_t voxels = 0;
+  double volume = 0.0;  ///< mm³
+  std::size_t islands = 0;
+};
+
+Mask measure_mask(const Volume& volume) {
+  Mask mask;
+  volume.samples.visit([&](const auto& samples) {
+    for (const auto sample : samples) mask.voxels += sample > 0 ? 1 : 0;
+  });
+  mask.volume = static_cast<double>(mask.voxels) * volume.lattice.spacing.prod();
+  mask.islands = count_components(volume);
+  return mask;
+}
+
+void note_smoothing(const Mask& before, const Dataset& dataset, Monitor& monitor) {
+  const CertifiedTopology& topology = *dataset.topology;
+  const std::vector<double> volumes = component_volumes(*dataset.surface, topology);
+  double volume = 0.0;
+  std::size_t islands = 0;
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    if (topology.components[n].is_left_out) continue;
+    volume += volumes[n];
+    islands += volumes[n] > 0.0 ? 1 : 0;
+  }
+  monitor.note(
+      fmt::format("the labels have {} voxels, {:.6g} mm³ in {} island{}; after smoothing, the surface encloses {:.6g} "
+                  "mm³ ({:+.2f} %) "
+                  "in {} island{}",
+                  before.voxels, before.volume, before.islands, before.islands == 1 ? "" : "s", volume,
+                  100.0 * (volume / before.volume - 1.0), islands, islands == 1 ? "" : "s"));
+}
+
+/// Carries out the steps; those that change nothing are not named in the record.
+Volume prepare_as_asked(Volume volume, const std::vector<PrepareStep>& steps, const FileSurface& asked,
+                        std::optional<Mask>& mask, Dataset& dataset, Monitor& monitor) {
+  for (const PrepareStep& step : steps) {
+    const std::array<int, 3> size = volume.lattice.size;
+    volume = prepare(std::move(volume), {step}, monitor);
+    if (std::holds_alternative<SelectLabels>(step)) mask = measure_mask(volume);
+    if (std::holds_alternative<CloseBorder>(step)) {
+      if (volume.lattice.size == size) continue;
+      if (asked.border == Border::refuse)
+        throw DataError("the object reaches the volume's border; crop it, or have it closed there");
+    }
+    dataset.preparation.push_back(describe(step));
+  }
+  return volume;
+}
+
 }  // namespace
 
-Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor) {
-  const auto& [isovalue, inside, smooth_voxels, kernel, border, choices, part] = asked;
-  if (!std::isfinite(isovalue)) throw UsageError("the isovalue is not a finite number; give one that is");
-  if (!(smooth_voxels >= 0.0 && smooth_voxels < 1000.0)) {
-    throw UsageError(
-        fmt::format("smoothing by {} voxels is not possible; give a number >= 0 and < 1000", smooth_voxels));
-  }
+Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& asked, Monitor& monitor,
+                          const std::filesystem::path& manifest) {
+  steps_of(asked, {});  // throws before the file is read if it is no sensible question
   Dataset dataset;
   dataset.name = path.stem().string();
   dataset.title = path.filename().string();
   dataset.source = path.string();
-  Volume volume;
+  VolumeFile file;
   {
     const auto stage = monitor.stage("read");
-    VolumeFile file = read_volume(path, part);
-    for (const std::string& note : file.notes) monitor.note(note);
-    volume = std::move(file.volume);
+    file = read_volume(path, asked.part);
   }
-  dataset.checksum = checksum_of(
-      volume, fmt::format("volume file {} {} {} {}\n", isovalue, to_string(inside), smooth_voxels, to_string(kernel)));
+  for (const std::string& note : file.notes) monitor.note(note);
+  const double isovalue = asked.isovalue.value_or(0.5);
+  std::vector<PrepareStep> steps = steps_of(asked, file.volume.lattice);
+  if (!manifest.empty()) write_text(manifest, manifest_text(path, asked, file.volume.lattice));
+  dataset.checksum = checksum_of(file.volume, arguments_text(asked, isovalue, steps));
   try {
-    const bool object_below = inside == Inside::below;
-    std::vector<PrepareStep> steps;
-    if (smooth_voxels > 0.0) steps.emplace_back(Gaussian{Eigen::Vector3d::Constant(smooth_voxels)});
-    steps = with_needed_steps(std::move(steps), volume, isovalue, object_below);
-    volume = prepare(std::move(volume), steps, monitor);
-    const std::array<int, 3> size = volume.lattice.size;
-    volume = prepare(std::move(volume), {CloseBorder{isovalue, object_below}}, monitor);
-    if (volume.lattice.size != size) {
-      if (border == Border::refuse)
-        throw DataError("the object reaches the volume's border; crop it, or have it closed there");
-      steps.emplace_back(CloseBorder{isovalue, object_below});
-    }
-    for (const PrepareStep& step : steps) dataset.preparation.push_back(describe(step));
+    steps = with_needed_steps(std::move(steps), file.volume, isovalue, asked.inside == Inside::below);
+    std::optional<Mask> mask;
+    Volume volume = prepare_as_asked(std::move(file.volume), steps, asked, mask, dataset, monitor);
     {
       const auto stage = monitor.stage("spline");
-      dataset.surface = std::make_unique<Isosurface>(std::move(volume), isovalue, inside, kernel);
+      dataset.surface = std::make_unique<Isosurface>(std::move(volume), isovalue, asked.inside, asked.kernel);
     }
-    settle_surface(dataset, choices, monitor);
+    settle_surface(dataset, asked.choices, monitor);
+    if (mask) note_smoothing(*mask, dataset, monitor);
   } catch (const DataError& error) {
     throw DataError(fmt::format("{}: {}", path.string(), error.what()));
   }

@@ -21,7 +21,7 @@ namespace isobench {
 namespace {
 
 /// Raised whenever a preparation step or a phantom gives other results, so that no earlier result is reused.
-constexpr int preparation_revision = 2;
+constexpr int preparation_revision = 3;
 
 std::string string_or(const TomlValue& table, const char* key, const std::string& otherwise = "") {
   const auto value = table.find(key);

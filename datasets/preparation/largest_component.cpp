@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "isobench/datasets/preparation/components.h"
 #include "isobench/datasets/preparation/prepare_steps.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/union_find.h"
@@ -96,6 +97,15 @@ void clear_others(const Runs& all, UnionFind& components, std::uint32_t kept, st
 }
 
 }  // namespace
+
+std::size_t count_components(const Volume& volume) {
+  const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);
+  const Runs all = volume.samples.visit([&](const auto& samples) { return find_runs(samples, nx); });
+  UnionFind components = connect(all, volume.lattice.size[1], volume.lattice.size[2]);
+  std::size_t count = 0;
+  for (std::uint32_t run = 0; run < all.runs.size(); ++run) count += components.find(run) == run ? 1 : 0;
+  return count;
+}
 
 void keep_largest_component(Volume& volume) {
   const auto nx = static_cast<std::size_t>(volume.lattice.size[0]);

@@ -50,10 +50,8 @@ RealVolume<Real> with_size(const Lattice& lattice, const std::array<int, 3>& siz
   return result;
 }
 
-}  // namespace
-
 template <class Real>
-RealVolume<Real> resample(const RealVolume<Real>& volume, const Eigen::Vector3d& spacing) {
+RealVolume<Real> interpolated(const RealVolume<Real>& volume, const Eigen::Vector3d& spacing) {
   Taps taps[3];
   std::array<int, 3> size{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,6 +85,13 @@ RealVolume<Real> resample(const RealVolume<Real>& volume, const Eigen::Vector3d&
     }
   });
   return result;
+}
+
+}  // namespace
+
+template <class Real>
+RealVolume<Real> resample(const RealVolume<Real>& volume, const Eigen::Vector3d& spacing) {
+  return interpolated(volume, spacing);
 }
 
 template <class Real>

@@ -13,6 +13,7 @@
 #include <new>
 #include <string>
 
+#include "isobench/datasets/formats/read_volume.h"
 #include "isobench/experiments/command_line/help_formatter.h"
 #include "isobench/experiments/command_line/verbs.h"
 #include "isobench/foundation/error.h"
@@ -71,16 +72,35 @@ void add_tables_only(CLI::App& verb, CommandLine& line) {
 
 void add_surface(CLI::App& verb, SurfaceArguments& surface) {
   add(verb, "--dataset", surface.dataset, "NAME", "a name from `isobench list datasets`, or the path of a manifest");
-  add(verb, "--volume", surface.volume, "FILE", "a volume: NRRD, MetaImage, NIfTI, VTI or INRIMAGE-4");
+  add(verb, "--volume", surface.volume, "FILE", "a volume in a format of docs/INPUTS.md: " + volume_formats_text());
   add(verb, "--isovalue", surface.isovalue, "C", "with --volume: the surface is where the volume has this value");
   verb.add_flag("--exact-isovalue", surface.choices.exact_isovalue,
                 "with --volume: refuse an isovalue at which F = C touches itself or fills space, instead of moving it");
   add(verb, "--inside", surface.inside, "SIDE",
       fmt::format("with --volume: the object lies where values are above or below C (default: {})", surface.inside))
       ->check(CLI::IsMember({"above", "below"}));
+  add(verb, "--labels", surface.labels, "L,...",
+      "with --volume, in place of --isovalue: the object is where the volume has one of these labels; thick slices are "
+      "interpolated by distances")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add(verb, "--resample", surface.resample, "MM",
+      "with --volume: interpolate at a spacing of MM mm along each axis, or of X,Y,Z")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add(verb, "--smooth", surface.smooth, "S",
-      fmt::format("with --volume: smooth by a Gaussian with a sigma of S voxels (default: {})", surface.smooth))
+      "with --volume: smooth by a Gaussian with a sigma of S voxels (default: 0; of labels: 1)")
       ->check(CLI::NonNegativeNumber);
+  add(verb, "--kernel", surface.kernel, "NAME",
+      fmt::format("with --volume: the spline that F is made of (default: {})", surface.kernel))
+      ->check(CLI::IsMember({"bspline", "interpolating-bspline", "catmull-rom"}));
+  add(verb, "--step", surface.part.step, "N", "with --volume: step N of a series in time; the first is 0");
+  add(verb, "--component", surface.part.component, "N", "with --volume: component N of vectors or colours, from 0");
+  add(verb, "--array", surface.part.array, "NAME", "with --volume: this array of a VTI file");
+  add(verb, "--segment", surface.part.segment, "NAME", "with --volume: this segment of a segmentation (.seg.nrrd)");
+  add(verb, "--series", surface.part.series, "N", "with --volume: this series of a folder of DICOM files");
+  add(verb, "--save-manifest", surface.save_manifest, "FILE",
+      "with --volume: write a manifest to FILE, beside the volume, that gives the same surface as a data set");
   add(verb, "--border", surface.border, "HOW",
       fmt::format(
           "with --volume: close an object that reaches the volume's border, outside it, or refuse it (default: {})",

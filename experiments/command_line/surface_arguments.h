@@ -1,30 +1,37 @@
 // The surface of `mesh` and `measure`: a data set, or a volume file with its isovalue.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/datasets/manifests/file_surface.h"
 
 namespace isobench {
 
 struct SurfaceArguments {
   std::string dataset;           ///< or:
-  std::filesystem::path volume;  ///< a file, with the members below
+  std::filesystem::path volume;  ///< a file or a folder, with the members below
   std::optional<double> isovalue;
+  std::vector<std::int64_t> labels;  ///< in place of the isovalue
   std::string inside = "above";
-  double smooth = 0.0;  ///< Gaussian sigma, voxels
+  std::vector<double> resample;  ///< mm; one number or three
+  std::optional<double> smooth;  ///< Gaussian sigma, voxels
+  std::string kernel = to_string(Kernel::bspline);
   std::string border = "close";
+  VolumeChoice part;
   SurfaceChoices choices;
+  std::filesystem::path save_manifest;
 
-  bool given() const { return !dataset.empty() || !volume.empty() || isovalue.has_value(); }
+  bool given() const { return !dataset.empty() || !volume.empty() || isovalue.has_value() || !labels.empty(); }
 };
 
 /// Throws UsageError unless exactly one surface is given, with all that it needs.
 void check(const SurfaceArguments& surface);
 
-/// Reads and prepares the volume. Precondition: check() passed.
+/// Reads and prepares the volume, and writes its manifest if one is asked for. Precondition: check() passed.
 Dataset load(const SurfaceArguments& surface, Monitor& monitor);
 
 }  // namespace isobench

@@ -96,13 +96,14 @@ RandomRun random_run(std::uint64_t seed) {
 std::string describe(const RandomRun& run) {
   const auto& [width, height, depth] = run.volume.lattice.size;
   const Eigen::Vector3d& spacing = run.volume.lattice.spacing;
-  const auto& [isovalue, inside, smooth, kernel, border, choices, part] = run.asked;
+  const FileSurface& asked = run.asked;
   return fmt::format(
       "random run {}: {}, {} × {} × {} {} at {:.3g} × {:.3g} × {:.3g} mm, {} {}{}, smooth {:.2g}, {}, components from "
       "{:.2g} mm³, {} {}",
       run.seed, run.kind, width, height, depth, to_string(run.volume.samples.type()), spacing.x(), spacing.y(),
-      spacing.z(), to_string(inside), choices.exact_isovalue ? "exactly " : "", isovalue, smooth, to_string(kernel),
-      choices.min_component, run.request.method, sizing_text(run.request.sizing));
+      spacing.z(), to_string(asked.inside), asked.choices.exact_isovalue ? "exactly " : "", *asked.isovalue,
+      asked.smooth_voxels.value_or(0.0), to_string(asked.kernel), asked.choices.min_component, run.request.method,
+      sizing_text(run.request.sizing));
 }
 
 RandomRunResult carry_out(const RandomRun& run, double most_vertices, const std::filesystem::path& folder) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "isobench/datasets/manifests/catalogue.h"
+#include "isobench/datasets/manifests/file_surface.h"
 #include "isobench/datasets/volume.h"
 #include "isobench/reports/record/record.h"
 
