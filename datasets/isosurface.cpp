@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "isobench/datasets/spline_prefilter.h"
@@ -163,30 +164,47 @@ std::string to_string(Inside inside) { return inside == Inside::above ? "above" 
 
 namespace {
 
+/// sample − c. 64-bit integers are subtracted as integers, so that the sign is right where a double rounds them.
+template <class T>
+double difference(T sample, double c) {
+  if constexpr (sizeof(T) == 8 && std::is_integral_v<T>) {
+    const double whole = std::floor(c);
+    if (whole >= static_cast<double>(std::numeric_limits<T>::min()) &&
+        whole < std::ldexp(1.0, std::numeric_limits<T>::digits)) {
+      const T below = static_cast<T>(whole);
+      // Unsigned differences do not overflow.
+      const auto distance = sample >= below ? static_cast<std::uint64_t>(sample) - static_cast<std::uint64_t>(below)
+                                            : static_cast<std::uint64_t>(below) - static_cast<std::uint64_t>(sample);
+      return (sample >= below ? 1.0 : -1.0) * static_cast<double>(distance) - (c - whole);
+    }
+  }
+  return static_cast<double>(sample) - c;
+}
+
+void check_isovalue(const Volume& volume, double c) {
+  const Range range = sample_range(volume);  // throws if a sample is not finite
+  const bool lies_between = volume.samples.visit([&](const auto& samples) {
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+    return difference(*least, c) < 0.0 && difference(*most, c) > 0.0;
+  });
+  if (!lies_between) {
+    throw DataError(fmt::format("isovalue {} is outside the range of the samples, {} to {}; choose one between them", c,
+                                range.min, range.max));
+  }
+}
+
 /// sign · (sample − c), each rounded to float once, so that they keep what counts near c: samples on a large pedestal,
-/// such as int32 near 1e9, differ by less than a float there can hold. 64-bit integers are subtracted as integers.
+/// such as int32 near 1e9, differ by less than a float there can hold.
 FloatVolume differences_from(double c, double sign, Volume volume) {
   std::vector<float> differences = volume.samples.visit([&](auto& samples) -> std::vector<float> {
     using T = SampleOf<decltype(samples)>;
-    const auto difference = [&](T sample) -> float {
-      if constexpr (sizeof(T) == 8 && std::is_integral_v<T>) {
-        const double whole = std::floor(c);  // within the range of T, because it lies between two samples
-        const T below = static_cast<T>(whole);
-        const double exact =
-            sample >= below
-                ? static_cast<double>(static_cast<std::uint64_t>(sample) - static_cast<std::uint64_t>(below))
-                : -static_cast<double>(static_cast<std::uint64_t>(below) - static_cast<std::uint64_t>(sample));
-        return static_cast<float>(sign * (exact - (c - whole)));
-      } else {
-        return static_cast<float>(sign * (static_cast<double>(sample) - c));
-      }
-    };
+    const auto rounded = [&](T sample) { return static_cast<float>(sign * difference(sample, c)); };
     if constexpr (std::is_same_v<T, float>) {
-      std::transform(samples.begin(), samples.end(), samples.begin(), difference);
+      std::transform(samples.begin(), samples.end(), samples.begin(), rounded);
       return std::move(samples);
     } else {
       std::vector<float> result(samples.size());
-      std::transform(samples.begin(), samples.end(), result.begin(), difference);
+      std::transform(samples.begin(), samples.end(), result.begin(), rounded);
       return result;
     }
   });
@@ -217,11 +235,7 @@ Isosurface::Isosurface(Volume volume, double isovalue, Inside inside, Kernel ker
     throw DataError(fmt::format("the volume has {}×{}×{} nodes; a spline surface needs at least 4 along each axis",
                                 size[0], size[1], size[2]));
   }
-  const Range range = sample_range(volume);
-  if (!(isovalue > range.min && isovalue < range.max)) {
-    throw DataError(fmt::format("isovalue {} is outside the range of the samples, {} to {}; choose one between them",
-                                isovalue, range.min, range.max));
-  }
+  check_isovalue(volume, isovalue);
   for (int axis = 0; axis < 3; ++axis) extent_[axis] = lattice_.spacing[axis] * (size[axis] - 1);
   FloatVolume differences = differences_from(isovalue, inside == Inside::above ? 1.0 : -1.0, std::move(volume));
   if (kernel == Kernel::interpolating_bspline) interpolating_coefficients(differences);

@@ -82,8 +82,56 @@ TEST(ReadVti, PiecesThatDoNotFitAreRefused) {
   expect_data_error(with("Piece Extent=\"2", "Piece Extent=\"1"), "outside its whole extent");
   expect_data_error(with("WholeExtent=\"2 8", "WholeExtent=\"2 9"), "pieces of it are missing");
   expect_data_error(with("WholeExtent=\"2 8", "WholeExtent=\"8 2"), "not that of a 3-D volume");
-  expect_data_error(with("Name=\"v\"", "Name=\"v\" NumberOfComponents=\"3\""), "vectors");
+  expect_data_error(with("Name=\"v\"", "Name=\"v\" NumberOfComponents=\"3\""), "choose one with --component 0 to 2");
   expect_data_error(with("<PointData", "<!DOCTYPE a><PointData"), "not well-formed XML");
+}
+
+/// An image of 3 × 2 × 2 points with these elements in its piece.
+std::string image_with(const std::string& data) {
+  return "<VTKFile type=\"ImageData\" byte_order=\"LittleEndian\"><ImageData WholeExtent=\"4 6 0 1 0 1\" "
+         "Origin=\"10 20 30\" Spacing=\"1 2 3\"><Piece Extent=\"4 6 0 1 0 1\">" +
+         data + "</Piece></ImageData></VTKFile>";
+}
+
+std::string array_of(const std::string& name, std::size_t count, int first, int components = 1) {
+  std::string text = fmt::format("<DataArray type=\"Int16\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">",
+                                 name, components);
+  for (std::size_t n = 0; n < count * static_cast<std::size_t>(components); ++n)
+    text += fmt::format("{} ", first + static_cast<int>(n));
+  return text + "</DataArray>";
+}
+
+TEST(ReadVti, TakesTheArrayThatIsMeantOrAsks) {
+  const TestFolder folder;
+  const auto file = [&](const std::string& data) { return folder.write("image.vti", image_with(data)); };
+  const auto first_of = [](const Volume& volume) { return volume.samples.as<std::int16_t>().front(); };
+  const std::string vectors = array_of("gradient", 12, 500, 3);
+  const std::string ct = array_of("ct", 12, 100);
+  const std::string labels = array_of("labels", 12, 200);
+  const std::string text = "<Array type=\"String\" Name=\"s\" NumberOfTuples=\"1\" format=\"ascii\">65 0</Array>";
+  EXPECT_EQ(first_of(volume_of(file("<PointData>" + text + ct + "</PointData>"))), 100);
+  const VolumeFile noted = read_volume(file("<PointData>" + vectors + ct + "</PointData>"));
+  EXPECT_EQ(first_of(noted.volume), 100);
+  ASSERT_EQ(noted.notes.size(), 1U);
+  EXPECT_NE(noted.notes.front().find("'ct' (at points) is taken"), std::string::npos) << noted.notes.front();
+  EXPECT_EQ(first_of(volume_of(file("<PointData Scalars=\"labels\">" + ct + labels + "</PointData>"))), 200);
+  const auto both = file("<PointData>" + ct + labels + "</PointData>");
+  expect_data_error(both, "choose one with --array");
+  EXPECT_EQ(first_of(volume_of(both, {.array = "labels"})), 200);
+  expect_data_error(both, "did you mean 'labels'", {.array = "label"});
+  const auto only_vectors = file("<PointData>" + vectors + "</PointData>");
+  expect_data_error(only_vectors, "it has 3 components");
+  EXPECT_EQ(first_of(volume_of(only_vectors, {.component = 2})), 502);
+  expect_data_error(only_vectors, "no component 3", {.component = 3});
+}
+
+TEST(ReadVti, CellsAreVoxels) {
+  const TestFolder folder;
+  const Volume volume =
+      volume_of(folder.write("cells.vti", image_with("<CellData>" + array_of("labels", 2, 7) + "</CellData>")));
+  EXPECT_EQ(volume.lattice.size, (std::array<int, 3>{2, 1, 1}));
+  EXPECT_EQ(volume.lattice.origin, Eigen::Vector3d(14.5, 21.0, 31.5));
+  EXPECT_EQ(volume.samples, Samples(std::vector<std::int16_t>{7, 8}));
 }
 
 /// VTK may reverse the order of slices to make its axes right-handed. Nodes then have other numbers, but the same

@@ -22,7 +22,7 @@ enum class Border { close, refuse };
 
 /// Which surface of a volume file is asked for.
 struct FileSurface {
-  std::optional<double> isovalue;  ///< needed, unless there are labels
+  std::optional<double> isovalue = {};  ///< needed, unless there are labels
   Inside inside = Inside::above;
   /// The object is where samples have one of these labels; empty: the isovalue says where it is.
   std::vector<std::int64_t> labels = {};

@@ -106,6 +106,10 @@ void add_surface(CLI::App& verb, SurfaceArguments& surface) {
           "with --volume: close an object that reaches the volume's border, outside it, or refuse it (default: {})",
           surface.border))
       ->check(CLI::IsMember({"close", "refuse"}));
+  add(verb, "--frame", surface.frame, "FRAME",
+      fmt::format("the mesh's coordinates: lps, ras, lattice, or those of the volume's file (default: {})",
+                  surface.frame))
+      ->check(CLI::IsMember({"file", "lps", "ras", "lattice"}));
   add(verb, "--min-component", surface.choices.min_component, "V",
       "leave out islands and cavities of the surface that enclose less than V mm³ (default: none)")
       ->check(CLI::NonNegativeNumber);

@@ -75,6 +75,13 @@ void check(const SurfaceArguments& surface) {
   if (!surface.save_manifest.empty()) check_manifest(surface);
 }
 
+Frame frame_of(const SurfaceArguments& surface) {
+  for (const Frame frame : {Frame::lps, Frame::ras, Frame::lattice}) {
+    if (surface.frame == to_string(frame)) return frame;
+  }
+  return Frame::file;
+}
+
 Dataset load(const SurfaceArguments& surface, Monitor& monitor) {
   const Monitor::Stage stage = monitor.stage("prepare");
   if (!surface.dataset.empty()) return load_dataset(surface.dataset, monitor, {}, surface.choices.min_component);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "isobench/datasets/frame.h"
 #include "isobench/datasets/manifests/file_surface.h"
 
 namespace isobench {
@@ -24,12 +25,16 @@ struct SurfaceArguments {
   VolumeChoice part;
   SurfaceChoices choices;
   std::filesystem::path save_manifest;
+  std::string frame = to_string(Frame::file);  ///< of the mesh
 
   bool given() const { return !dataset.empty() || !volume.empty() || isovalue.has_value() || !labels.empty(); }
 };
 
 /// Throws UsageError unless exactly one surface is given, with all that it needs.
 void check(const SurfaceArguments& surface);
+
+/// The frame of the mesh's coordinates.
+Frame frame_of(const SurfaceArguments& surface);
 
 /// Reads and prepares the volume, and writes its manifest if one is asked for. Precondition: check() passed.
 Dataset load(const SurfaceArguments& surface, Monitor& monitor);

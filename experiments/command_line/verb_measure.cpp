@@ -49,7 +49,7 @@ int measure_file(const MeasureArguments& arguments, const CommonArguments& commo
   std::optional<SizingField> sizing;
   if (arguments.surface.given()) {
     dataset = load(arguments.surface, monitor);
-    mesh = to_local(std::move(mesh), dataset.surface->lattice());
+    mesh = to_local(std::move(mesh), in_frame(dataset.surface->lattice(), frame_of(arguments.surface)));
     if (arguments.epsilon) sizing.emplace(make_sizing_field(*dataset.surface, request, monitor));
   }
   const Measurement measurement = measure(mesh, {dataset.surface.get(), sizing ? &*sizing : nullptr}, monitor);

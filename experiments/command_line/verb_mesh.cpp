@@ -103,16 +103,17 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   RunRecord record;
   record.request = request;
   const Dataset dataset = load(arguments.surface, monitor);
+  const Frame frame = frame_of(arguments.surface);
+  const Lattice placed = in_frame(dataset.surface->lattice(), frame);
   for (const std::string& step : dataset.preparation) console.detail("prepared: " + step);
   note_specks(dataset, monitor);
   try {
     const Bounds bounds{.most_vertices = arguments.max_vertices,
                         .announce = [&](const std::string& expected) { console.line("expected: " + expected); }};
-    const TriangleMesh mesh =
-        to_world(mesh_and_measure(dataset, request, monitor, record, bounds), dataset.surface->lattice());
+    const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record, bounds), placed);
     console.clear();
     if (!arguments.output.empty()) write_mesh(mesh, arguments.output);
-    write_artefacts(monitor.artefacts(), dataset.surface->lattice(), arguments.artefacts);
+    write_artefacts(monitor.artefacts(), placed, arguments.artefacts);
   } catch (const Skipped& skipped) {
     console.clear();
     fmt::print(stderr, "isobench: {} cannot do this: {}\n", request.method, skipped.what());
@@ -120,6 +121,7 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   }
   const std::string sizing = is_empty(request.sizing) ? "" : ", " + sizing_text(request.sizing);
   fmt::print("{} by {}{}\n{}", dataset.name, request.method, sizing, summary_text(*record.measurement));
+  fmt::print("frame         {}\n", frame_text(placed, frame));
   fmt::print("time          sizing and method {:.2f} s, peak memory {:.0f} MB\n", monitor.seconds("mesh"),
              record.peak_memory_mb);
   for (const std::string& note : monitor.notes()) fmt::print("note          {}\n", note);

@@ -14,11 +14,11 @@ namespace isobench {
 /// Which scalar volume is meant, where a file or a folder holds several. A choice that is not made means the only one
 /// that there is; a reader that finds several then throws DataError with the names of all that can be chosen.
 struct VolumeChoice {
-  std::optional<std::size_t> step;       ///< of a series in time; the first is 0
-  std::optional<std::size_t> component;  ///< of samples that are vectors or colours; the first is 0
-  std::string array;                     ///< the name of an array of a VTI file
-  std::string segment;  ///< the name, the ID or the label of a segment, or "layer N" for all of a layer
-  std::string series;   ///< of DICOM files: its number or its UID
+  std::optional<std::size_t> step = {};       ///< of a series in time; the first is 0
+  std::optional<std::size_t> component = {};  ///< of samples that are vectors or colours; the first is 0
+  std::string array = {};                     ///< the name of an array of a VTI file
+  std::string segment = {};  ///< the name, the ID or the label of a segment, or "layer N" for all of a layer
+  std::string series = {};   ///< of DICOM files: its number or its UID
 };
 
 /// The choices that a format knows.
