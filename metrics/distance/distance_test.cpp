@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/sample_meshes.h"
+#include "isobench/metrics/measurement.h"
 #include "isobench/metrics/test_surfaces.h"
 
 namespace isobench {
@@ -83,6 +85,42 @@ TEST(Distance, FarPointsAreCountedAndFinite) {
   EXPECT_GT(figures.unprojected, 0U);
   EXPECT_TRUE(std::isfinite(figures.max));
   EXPECT_GT(figures.max, 1.0);
+}
+
+/// The notes of a measurement, which must say nothing of the distance.
+std::string notes_without_distance(TriangleMesh mesh) {
+  Monitor monitor;
+  const Isosurface surface = ball();
+  const Measurement measured = measure(mesh, MeasuredAgainst{&surface, nullptr}, monitor);
+  for (const char* figure : {"distance_mean", "distance_max", "distance_vertex_max", "distance_max_voxels",
+                             "normal_angle_mean", "curvature_max", "gradient_max"}) {
+    EXPECT_FALSE(measured.figure(figure)) << figure;
+  }
+  EXPECT_GT(measured.number("distance_unprojected"), 0.0);
+  EXPECT_FALSE(mesh.vertex_data.contains("distance"));
+  std::string notes;
+  for (const std::string& note : monitor.notes()) notes += note + '\n';
+  return notes;
+}
+
+TEST(Distance, IsNotMeasuredIfNoPointReachesTheSurface) {
+  TriangleMesh metres = sphere(12.0, 20);
+  EXPECT_TRUE(distances_of(metres, ball()).any_projected());
+  for (Eigen::Vector3d& x : metres.vertices) x *= 1e-3;
+  const DistanceFigures figures = distances_of(metres, ball());
+  EXPECT_EQ(figures.unprojected, figures.points);
+  EXPECT_FALSE(figures.any_projected());
+  const std::string of_metres = notes_without_distance(metres);
+  EXPECT_NE(of_metres.find("distances could not be measured"), std::string::npos) << of_metres;
+  EXPECT_NE(of_metres.find("is the mesh in metres? Lengths must be in mm"), std::string::npos) << of_metres;
+
+  TriangleMesh micrometres = sphere(12.0, 20);
+  for (Eigen::Vector3d& x : micrometres.vertices) x *= 1e3;
+  EXPECT_NE(notes_without_distance(micrometres).find("is the mesh in micrometres?"), std::string::npos);
+
+  TriangleMesh elsewhere = sphere(12.0, 20);
+  for (Eigen::Vector3d& x : elsewhere.vertices) x.x() += 200.0;
+  EXPECT_NE(notes_without_distance(elsewhere).find("its bounding box lies outside of the volume"), std::string::npos);
 }
 
 TEST(Distance, SameBitsForAnyNumberOfThreads) {
