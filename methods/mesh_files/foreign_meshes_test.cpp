@@ -207,9 +207,9 @@ TEST(ForeignMeshes, Stl) {
   expect_all({
       {"solid-header.stl", binary_stl("solid exported by SomeCAD", 8), octahedron},
       {"UPPER.STL", whole, octahedron},
-      {"trailing.stl", whole + "\n", with_note(octahedron, "1 bytes follow its last triangle; left out")},
+      {"trailing.stl", whole + "\n", with_note(octahedron, "1 byte after its last triangle was left out")},
       {"more.stl", whole + std::string(333, ' '),
-       with_note(octahedron, "333 bytes follow its last triangle; left out")},
+       with_note(octahedron, "333 bytes after its last triangle were left out")},
       {"zero-count.stl", binary_stl("x", 0),
        with_note(octahedron, "its header counts 0 triangles, but its size is that of 8; these were read")},
       {"no-count.stl", binary_stl("x", 0xFFFFFFFF),

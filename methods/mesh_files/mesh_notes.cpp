@@ -83,12 +83,11 @@ std::size_t distinct_places(const TriangleMesh& mesh, const std::vector<char>& c
   return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
 }
 
-Eigen::Vector3f rounded(const Eigen::Vector3d& x) { return x.cast<float>(); }
-
+/// Whether two corners of a triangle are at the same place in this precision.
+template <typename Number>
 bool collapses(const TriangleMesh& mesh, const Triangle& t) {
-  const Eigen::Vector3f a = rounded(mesh.vertices[t[0]]), b = rounded(mesh.vertices[t[1]]),
-                        c = rounded(mesh.vertices[t[2]]);
-  return a == b || b == c || c == a;
+  const auto corner = [&](std::size_t c) { return mesh.vertices[t[c]].cast<Number>().eval(); };
+  return corner(0) == corner(1) || corner(1) == corner(2) || corner(2) == corner(0);
 }
 
 /// The largest move of a vertex to single precision, by the mean edge.
@@ -97,7 +96,7 @@ double largest_move(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const Eigen::Vector3d& x = mesh.vertices[t[c]];
-      move = std::max(move, (rounded(x).cast<double>() - x).norm());
+      move = std::max(move, (x.cast<float>().cast<double>() - x).norm());
       edges += (mesh.vertices[t[(c + 1) % 3]] - x).norm();
     }
   }
@@ -143,17 +142,23 @@ std::vector<std::string> notes_on(const TriangleMesh& mesh) {
 std::string loss_in_file(const TriangleMesh& mesh, const std::filesystem::path& path) {
   if (lower_case(path.extension().string()) != ".stl" || mesh.triangles.empty()) return "";
   if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& x) { return x.allFinite(); })) return "";
-  constexpr const char* remedy = "write .ply, .vtp or .off, which hold double precision";
+  constexpr const char* remedy = "write .ply, .vtp or .off, which keep every vertex in double precision";
   const std::vector<char> in_use = used(mesh);
   const auto vertices = static_cast<std::size_t>(std::count(in_use.begin(), in_use.end(), 1));
-  const std::size_t places = distinct_places<float>(mesh, in_use);
-  const auto collapsed = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                       [&](const Triangle& t) { return collapses(mesh, t); });
-  if (places < vertices || collapsed > 0) {
+  const std::size_t survive = distinct_places<float>(mesh, in_use);
+  const auto collapsed = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return !collapses<double>(mesh, t) && collapses<float>(mesh, t);
+  });
+  if (survive < distinct_places<double>(mesh, in_use) || collapsed > 0) {
     return fmt::format(
         "{}: STL holds single precision, in which {} of the {} vertices survive and {} of the {} triangles "
         "collapse; {}",
-        path.string(), places, vertices, collapsed, mesh.triangles.size(), remedy);
+        path.string(), survive, vertices, collapsed, mesh.triangles.size(), remedy);
+  }
+  if (survive < vertices) {
+    return fmt::format(
+        "{}: STL has no vertex numbers, so vertices at the same place become one, and {} of the {} survive; {}",
+        path.string(), survive, vertices, remedy);
   }
   const double move = largest_move(mesh);
   if (!(move > 0.01)) return "";

@@ -96,7 +96,10 @@ TEST(LossInFile, SaysThatVerticesMove) {
   EXPECT_NE(loss.find("moves vertices by up to 0.02"), std::string::npos) << loss;
   EXPECT_NE(loss.find("all 6 vertices survive"), std::string::npos) << loss;
   EXPECT_EQ(loss_in_file(octahedron_at(1e4 + 0.03), "a.stl"), "");
-  EXPECT_NE(loss_in_file(octahedron_at(1e40), "a.stl"), "") << "beyond the largest single";
+  EXPECT_NE(loss_in_file(octahedron_at(1e30), "a.stl"), "") << "in one place also in double precision";
+  const TriangleMesh twice = sample_meshes::together(octahedron_at(0), octahedron_at(0));
+  EXPECT_NE(loss_in_file(twice, "a.stl").find("vertices at the same place become one, and 6 of the 12 survive"),
+            std::string::npos);
 }
 
 }  // namespace

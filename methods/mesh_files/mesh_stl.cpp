@@ -124,7 +124,8 @@ PolygonMesh read_binary_of_other_size(std::string_view bytes, std::size_t announ
                                held));
   }
   PolygonMesh mesh = read_binary(bytes, announced);
-  mesh.notes.push_back(fmt::format("{} bytes follow its last triangle; left out", trailing));
+  mesh.notes.push_back(fmt::format("{} byte{} after its last triangle {} left out", trailing, trailing == 1 ? "" : "s",
+                                   trailing == 1 ? "was" : "were"));
   return mesh;
 }
 
