@@ -72,6 +72,10 @@ Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
+bool is_apart(const TriangleMesh& mesh, const Isosurface& surface) {
+  return !box_of(mesh).intersects(Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), surface.extent()));
+}
+
 std::string hint_of_boxes(const TriangleMesh& mesh, const Isosurface& surface) {
   const Eigen::AlignedBox3d box = box_of(mesh);
   if (box.isEmpty()) return "";
@@ -82,7 +86,7 @@ std::string hint_of_boxes(const TriangleMesh& mesh, const Isosurface& surface) {
   // An object fills from a tenth to all of its volume: a factor of 1000 is between 100 and 10,000 of the diagonals.
   if (length * 300.0 < volume_length) return lengths + ": is the mesh in metres? Lengths must be in mm";
   if (volume_length * 100.0 < length) return lengths + ": is the mesh in micrometres? Lengths must be in mm";
-  if (!box.intersects(volume)) {
+  if (is_apart(mesh, surface)) {
     return "; its bounding box lies outside of the volume: is it in another frame (LPS or RAS, another origin)?";
   }
   return "";

@@ -26,8 +26,11 @@ struct DistanceFigures {
   bool any_projected() const { return unprojected < points; }
 };
 
-/// Why no point, or only some, could be projected: the boxes of mesh and volume differ in size as metres and mm do, or
-/// they lie apart. A clause that begins with "; "; "" if the boxes do not tell.
+/// Whether the mesh's bounding box lies outside of the volume.
+bool is_apart(const TriangleMesh& mesh, const Isosurface& surface);
+
+/// Why a mesh may not be where its surface is: the boxes of mesh and volume differ in size as metres and mm do, or they
+/// lie apart. A clause that begins with "; "; "" if the boxes do not tell.
 std::string hint_of_boxes(const TriangleMesh& mesh, const Isosurface& surface);
 
 /// If `at_vertices` is given, it receives one distance a vertex, in mm.

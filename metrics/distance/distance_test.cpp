@@ -120,7 +120,29 @@ TEST(Distance, IsNotMeasuredIfNoPointReachesTheSurface) {
 
   TriangleMesh elsewhere = sphere(12.0, 20);
   for (Eigen::Vector3d& x : elsewhere.vertices) x.x() += 200.0;
-  EXPECT_NE(notes_without_distance(elsewhere).find("its bounding box lies outside of the volume"), std::string::npos);
+  Monitor monitor;
+  const Isosurface surface = ball();
+  // Newton's steps reach the surface from there, so there is a distance.
+  EXPECT_GT(measure(elsewhere, MeasuredAgainst{&surface, nullptr}, monitor).number("distance_mean"), 150.0);
+  ASSERT_EQ(monitor.notes().size(), 1U);
+  EXPECT_NE(monitor.notes()[0].find("its bounding box lies outside of the volume"), std::string::npos);
+}
+
+TEST(Distance, ANoteSaysIfItIsAnEstimateInPart) {
+  const auto notes = [](TriangleMesh mesh) {
+    Monitor monitor;
+    const Isosurface surface = ball();
+    const Measurement measured = measure(mesh, MeasuredAgainst{&surface, nullptr}, monitor);
+    EXPECT_TRUE(measured.figure("distance_mean"));
+    return monitor.notes();
+  };
+  TriangleMesh inner = sphere(1.0, 20);
+  for (Eigen::Vector3d& x : inner.vertices) x -= Eigen::Vector3d(19, 19, 19);  // in the lattice's corner, out of reach
+  EXPECT_TRUE(notes(sphere(12.2, 20)).empty());
+  const std::vector<std::string> found = notes(sample_meshes::together(sphere(12.2, 20), inner));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].find("distances are estimates in part: Newton's steps do not reach the surface from "), 0U)
+      << found[0];
 }
 
 TEST(Distance, SameBitsForAnyNumberOfThreads) {

@@ -6,17 +6,30 @@
 namespace isobench {
 namespace {
 
-void measure(MetricInput& input, MetricOutput& output) {
-  std::vector<double> at_vertices;
-  const DistanceFigures figures = measure_distance(input.mesh(), input.edges(), input.surface(), &at_vertices);
-  output.set("distance_unprojected", static_cast<double>(figures.unprojected));
+/// Says why distances are not what they seem. A point in a hundred may be missed by a good mesh of a rough surface.
+void note_unprojected(MetricInput& input, const DistanceFigures& figures) {
+  const std::string hint = hint_of_boxes(input.mesh(), input.surface());
   if (!figures.any_projected()) {
     input.monitor().note(
         fmt::format("distances could not be measured: Newton's steps reach the surface from none of the "
                     "mesh's {} points{}",
-                    figures.points, hint_of_boxes(input.mesh(), input.surface())));
-    return;
+                    figures.points, hint));
+  } else if (figures.unprojected * 100 > figures.points) {
+    input.monitor().note(
+        fmt::format("distances are estimates in part: Newton's steps do not reach the surface from {} of "
+                    "the mesh's {} points{}",
+                    figures.unprojected, figures.points, hint));
+  } else if (is_apart(input.mesh(), input.surface())) {
+    input.monitor().note("distances may be meaningless" + hint);
   }
+}
+
+void measure(MetricInput& input, MetricOutput& output) {
+  std::vector<double> at_vertices;
+  const DistanceFigures figures = measure_distance(input.mesh(), input.edges(), input.surface(), &at_vertices);
+  output.set("distance_unprojected", static_cast<double>(figures.unprojected));
+  note_unprojected(input, figures);
+  if (!figures.any_projected()) return;
   output.set("distance_mean", figures.mean);
   output.set("distance_max", figures.max);
   output.set("distance_vertex_max", figures.vertex_max);
