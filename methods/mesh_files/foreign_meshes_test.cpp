@@ -149,7 +149,7 @@ TEST(ForeignMeshes, Ply) {
       {"tristrips.ply",
        ply("ascii", strips, octahedron_points + "16 0 2 4 1 3 5 0 2 -1 3 0 4 -1 1 2 5\n"),
        {6, 8, octahedron_volume, "its strips of triangles were cut into 8 triangles"}},
-      {"edges.ply", replaced(plain, "face 8", "face 9") + "2 0 1\n", with_note(octahedron, "its 1 line are no part")},
+      {"edges.ply", replaced(plain, "face 8", "face 9") + "2 0 1\n", with_note(octahedron, "its 1 line is no part")},
       {"points.ply", ply("ascii", vertices, octahedron_points), {}, "has 6 points and no triangles; make a surface"},
       {"2-d.ply", ply("ascii", "element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"), {}, "x, y and z"},
       {"no-list.ply",

@@ -126,7 +126,7 @@ class LegacyReader {
     read_header();
     while (read_part()) {
     }
-    if (grid_ && !types_read_ && cells_.ends.size() > 0) scanner_.fail("is truncated: its cells have no types");
+    if (grid_ && !types_read_ && !cells_.ends.empty()) scanner_.fail("is truncated: its cells have no types");
     adder_.add_notes();
     return std::move(mesh_);
   }

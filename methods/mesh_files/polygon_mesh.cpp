@@ -62,6 +62,10 @@ class Triangulation {
       ++dropped_;
       return;
     }
+    if (corners_.size() == 3) {
+      mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
+      return;
+    }
     points_.clear();
     for (const std::uint32_t v : corners_) points_.push_back(polygons_.vertices[v]);
     crossed_ += cutter_.cut(points_) ? 0 : 1;
@@ -103,7 +107,7 @@ void PolygonMesh::note_left_out(std::size_t points, std::size_t lines) {
   std::string what;
   if (points > 0) what = counted(points, "point");
   if (lines > 0) what += (what.empty() ? "" : " and ") + counted(lines, "line");
-  notes.push_back(fmt::format("its {} are no part of a surface; left out", what));
+  notes.push_back(fmt::format("its {} {} no part of a surface; left out", what, points + lines == 1 ? "is" : "are"));
 }
 
 TriangleMesh to_triangles(PolygonMesh polygons, std::vector<std::string>& notes) {

@@ -140,7 +140,7 @@ TEST(PolygonMesh, DataOfPolygonsGoToTheirTriangles) {
   EXPECT_EQ(mesh.triangles.size(), 4U);
   EXPECT_EQ(notes,
             (std::vector<std::string>{
-                "first", "2 of its 4 faces have more than three corners (up to 5); they were cut into 3 triangles",
+                "first", "1 of its 4 faces have more than three corners (up to 4); they were cut into 2 triangles",
                 "1 of its faces have fewer than three corners; left out"}));
 }
 

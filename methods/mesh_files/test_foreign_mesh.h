@@ -36,7 +36,7 @@ std::string face_lines(const int (&all)[faces][corners], const std::string& befo
   std::string text;
   for (const auto& face : all) {
     text += before;
-    for (const int corner : face) text += ' ' + std::to_string(corner + first) + behind;
+    for (const int corner : face) text.append(" ").append(std::to_string(corner + first)).append(behind);
     text += after + '\n';
   }
   return text;
