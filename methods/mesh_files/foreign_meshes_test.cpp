@@ -215,9 +215,12 @@ TEST(ForeignMeshes, Stl) {
       {"no-count.stl", binary_stl("x", 0xFFFFFFFF),
        with_note(octahedron, "but its size is that of 8; these were read")},
       {"less.stl", binary_stl("x", 5), {}, "its header counts 5 triangles, but its size is that of 8; export it again"},
-      {"more-count.stl", binary_stl("x", 9), {}, "its header counts 9 triangles, but it has room for 8"},
+      {"more-count.stl",
+       binary_stl("x", 9),
+       {},
+       "it is truncated, as its header counts 9 triangles and there is room for 8"},
       {"huge-count.stl", binary_stl("x", 0xFFFFFFFE), {}, "its header counts 4294967294 triangles"},
-      {"cut.stl", whole.substr(0, 300), {}, "its header counts 8 triangles, but it has room for 4"},
+      {"cut.stl", whole.substr(0, 300), {}, "its header counts 8 triangles and there is room for 4"},
       {"ascii.stl", ascii, octahedron},
       {"ascii-crlf.stl", replaced(ascii, "\n", "\r\n"), octahedron},
       {"ascii-bom.stl", "\xef\xbb\xbf" + ascii, octahedron},
@@ -239,6 +242,7 @@ TEST(ForeignMeshes, Stl) {
       {"nothing.stl", "solid a\nendsolid a\n", {}, "has no points and no triangles"},
       {"text.stl", "hello\n", {}, "it is not binary and does not start with the word solid"},
       {"ply.stl", "ply\nformat ascii 1.0\n" + std::string(200, ' '), {}, "its first bytes are those of a PLY file"},
+      {"long-text.stl", "hello, " + std::string(200, 'x'), {}, "does not start with the word solid"},
       {"page.stl", "<!DOCTYPE html>\n<html></html>\n", {}, "a web page, not a mesh; download it again"},
   });
 }

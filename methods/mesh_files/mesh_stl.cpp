@@ -101,6 +101,12 @@ bool begins_as_text(std::string_view bytes) {
   return lower_case(std::string(bytes.substr(0, 5))) == "solid" && bytes.find('\0') == std::string_view::npos;
 }
 
+/// Whether the number of triangles in the header has bytes that no text has.
+bool has_binary_count(std::string_view bytes) {
+  const std::string_view count = bytes.substr(kHeaderSize, 4);
+  return std::any_of(count.begin(), count.end(), [](char c) { return c < '\t' || c > '~'; });
+}
+
 /// A binary file whose size does not agree with the number of triangles in its header.
 PolygonMesh read_binary_of_other_size(std::string_view bytes, std::size_t announced,
                                       const std::filesystem::path& path) {
@@ -116,8 +122,9 @@ PolygonMesh read_binary_of_other_size(std::string_view bytes, std::size_t announ
     return mesh;
   }
   if (announced > held) {
-    not_of_format(path, bytes, "a whole STL file",
-                  fmt::format("its header counts {} triangles, but it has room for {}", announced, held));
+    not_of_format(
+        path, bytes, "a whole STL file",
+        fmt::format("it is truncated, as its header counts {} triangles and there is room for {}", announced, held));
   }
   if (whole) {
     bad_mesh(path, fmt::format("its header counts {} triangles, but its size is that of {}; export it again", announced,
@@ -140,7 +147,7 @@ PolygonMesh read_stl(const std::filesystem::path& path) {
     const std::size_t announced = take_number<std::uint32_t>(count);
     // The size decides, not the first word: many binary files begin with "solid".
     if (bytes.size() == kHeaderSize + 4 + announced * kFacetSize) return read_binary(bytes, announced);
-    if (!text && bytes.find('\0') != std::string_view::npos) return read_binary_of_other_size(bytes, announced, path);
+    if (!text && has_binary_count(bytes)) return read_binary_of_other_size(bytes, announced, path);
   }
   if (text) return read_ascii(bytes, path);
   not_of_format(path, bytes, "an STL file", "it is not binary and does not start with the word solid");

@@ -55,7 +55,7 @@ inline std::string each_line(const std::string& lines, const std::string& before
   std::string text;
   for (std::size_t at = 0; at < lines.size();) {
     const std::size_t end = lines.find('\n', at);
-    text += before + lines.substr(at, end - at) + after + '\n';
+    text.append(before).append(lines, at, end - at).append(after).append("\n");
     at = end + 1;
   }
   return text;

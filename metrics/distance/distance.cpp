@@ -70,23 +70,26 @@ Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
   return box;
 }
 
+Eigen::AlignedBox3d box_of(const Isosurface& surface) { return {Eigen::Vector3d::Zero(), surface.extent()}; }
+
 }  // namespace
 
-bool is_apart(const TriangleMesh& mesh, const Isosurface& surface) {
-  return !box_of(mesh).intersects(Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), surface.extent()));
+bool is_elsewhere(const TriangleMesh& mesh, const Isosurface& surface, const DistanceFigures& figures) {
+  const Eigen::AlignedBox3d box = box_of(mesh);
+  return figures.mean > box.diagonal().norm() || !box.intersects(box_of(surface));
 }
 
 std::string hint_of_boxes(const TriangleMesh& mesh, const Isosurface& surface) {
   const Eigen::AlignedBox3d box = box_of(mesh);
   if (box.isEmpty()) return "";
-  const Eigen::AlignedBox3d volume(Eigen::Vector3d::Zero(), surface.extent());
+  const Eigen::AlignedBox3d volume = box_of(surface);
   const double length = box.diagonal().norm(), volume_length = volume.diagonal().norm();
   const std::string lengths = fmt::format(
       "; the diagonal of its bounding box is {:.3g} mm, and that of the volume {:.3g} mm", length, volume_length);
   // An object fills from a tenth to all of its volume: a factor of 1000 is between 100 and 10,000 of the diagonals.
   if (length * 300.0 < volume_length) return lengths + ": is the mesh in metres? Lengths must be in mm";
   if (volume_length * 100.0 < length) return lengths + ": is the mesh in micrometres? Lengths must be in mm";
-  if (is_apart(mesh, surface)) {
+  if (!box.intersects(volume)) {
     return "; its bounding box lies outside of the volume: is it in another frame (LPS or RAS, another origin)?";
   }
   return "";

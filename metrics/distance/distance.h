@@ -26,8 +26,9 @@ struct DistanceFigures {
   bool any_projected() const { return unprojected < points; }
 };
 
-/// Whether the mesh's bounding box lies outside of the volume.
-bool is_apart(const TriangleMesh& mesh, const Isosurface& surface);
+/// Whether the mesh can be none of this surface: it is farther away than it is long, or its bounding box lies outside
+/// of the volume.
+bool is_elsewhere(const TriangleMesh& mesh, const Isosurface& surface, const DistanceFigures& figures);
 
 /// Why a mesh may not be where its surface is: the boxes of mesh and volume differ in size as metres and mm do, or they
 /// lie apart. A clause that begins with "; "; "" if the boxes do not tell.

@@ -125,7 +125,15 @@ TEST(Distance, IsNotMeasuredIfNoPointReachesTheSurface) {
   // Newton's steps reach the surface from there, so there is a distance.
   EXPECT_GT(measure(elsewhere, MeasuredAgainst{&surface, nullptr}, monitor).number("distance_mean"), 150.0);
   ASSERT_EQ(monitor.notes().size(), 1U);
-  EXPECT_NE(monitor.notes()[0].find("its bounding box lies outside of the volume"), std::string::npos);
+  EXPECT_NE(monitor.notes()[0].find("the mesh is far from the surface; its bounding box lies outside of the volume"),
+            std::string::npos);
+  // So do those from the volume's middle, but not from its very centre, where a mesh in metres may lie.
+  TriangleMesh inner = sphere(12.0, 20);
+  for (Eigen::Vector3d& x : inner.vertices) x = Eigen::Vector3d(20, 20, 25) + 1e-3 * (x - Eigen::Vector3d(20, 20, 20));
+  measure(inner, MeasuredAgainst{&surface, nullptr}, monitor);
+  ASSERT_EQ(monitor.notes().size(), 2U);
+  EXPECT_NE(monitor.notes()[1].find("the mesh is far from the surface; the diagonal"), std::string::npos);
+  EXPECT_NE(monitor.notes()[1].find("is the mesh in metres?"), std::string::npos);
 }
 
 TEST(Distance, ANoteSaysIfItIsAnEstimateInPart) {

@@ -19,8 +19,8 @@ void note_unprojected(MetricInput& input, const DistanceFigures& figures) {
         fmt::format("distances are estimates in part: Newton's steps do not reach the surface from {} of "
                     "the mesh's {} points{}",
                     figures.unprojected, figures.points, hint));
-  } else if (is_apart(input.mesh(), input.surface())) {
-    input.monitor().note("distances may be meaningless" + hint);
+  } else if (is_elsewhere(input.mesh(), input.surface(), figures)) {
+    input.monitor().note("the mesh is far from the surface" + hint);
   }
 }
 
