@@ -51,9 +51,10 @@ bool fuzz_measure(std::string_view bytes) {
     Monitor monitor;
     const Measurement m = measure(mesh, small_ball(), SizingField(1.0), monitor);
     // Whatever was measured is a finite number, by the definition of Measurement.
-    for (const char* name : {"radius_ratio_min", "radius_ratio_avg", "angle_min", "angle_max", "distance_max", "area"})
-      require(m.figure(name).has_value() && m.number(name) >= 0.0, "shapes and distances are numbers >= 0");
-    for (const char* name : {"distance_mean", "edge_over_h0_max", "valence_6_percent"})
+    for (const char* name :
+         {"radius_ratio_min", "radius_ratio_avg", "angle_min", "angle_max", "distance_unprojected", "area"})
+      require(m.figure(name).has_value() && m.number(name) >= 0.0, "shapes are numbers >= 0");
+    for (const char* name : {"distance_mean", "distance_max", "edge_over_h0_max", "valence_6_percent"})
       require(m.figure(name).value_or(0.0) >= 0.0, "figures are >= 0");
     require(m.number("radius_ratio_min") <= 1.0 + 1e-9 && m.number("angle_max") <= 180.0 + 1e-9,
             "shapes are within their ranges");

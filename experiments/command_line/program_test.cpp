@@ -37,6 +37,7 @@ TEST_F(ProgramVerbs, UsageMistakesExitWith2) {
   expect(with(mesh_torus, {"--epsilon", "much", "--delta", "0.3"}), 2, "--epsilon");
   expect(with(mesh_torus, {"--edge-length", "2", "--vertices", "100"}), 2, "edge");
   expect(with(mesh_torus, {"--edge-length", "2", "-o", "mesh.stp"}), 2, "unknown ending '.stp'");
+  expect(with(mesh_torus, {"--edge-length", "2", "-o", "."}), 2, ".: is a folder; name a file in it");
   expect(with(mesh_torus, {"--edge-length", "2", "-o", "no/such/mesh.ply"}), 2, "does not exist");
   expect(with(mesh_torus, {"--edge-length", "2", "--frobnicate"}), 2,
          "unknown option '--frobnicate'; see isobench mesh");
@@ -76,7 +77,7 @@ TEST_F(ProgramVerbs, HostileFilesExitWith3AndOneSentence) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
   const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
-  refused("mesh.off", "OFF\n3 1 0\n" + corners + "3 0 1 3\n", "names a vertex that is not there");
+  refused("mesh.off", "OFF\n3 1 0\n" + corners + "3 0 1 3\n", "names vertex 3, but the vertices are 0 to 2");
   refused("mesh2.off", "OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "are not finite");
   refused("mesh3.off", "OFF\n3 0 0\n" + corners, "no triangles");
   refused("mesh4.off", "OFF\n900000000000 900000000000 0\n" + corners, "truncated");
@@ -229,6 +230,28 @@ TEST_F(ProgramVerbs, MeasureAsJsonKnowsWhatItWasNotAsked) {
   EXPECT_GT(std::stod(json_value(measured, "distance_max")), 0.0);
   const Outcome sized = run({"measure", "torus.ply", "--dataset", "torus", "--epsilon", "0.5", "--json", "-q"});
   EXPECT_GT(std::stod(json_value(sized, "edge_over_h0_max")), 0.0);
+}
+
+TEST_F(ProgramVerbs, MeasureSaysWhatItDidWithTheMeshOfAnotherProgram) {
+  // A cube of quadrilaterals, inside out; then a mesh in metres.
+  folder_.write(
+      "cube.obj",
+      "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\nf 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\n"
+      "f 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
+  const std::string inside_out = run({"measure", "cube.obj", "-q"}).out;
+  for (const char* line :
+       {"note          cube.obj: 6 of its 6 faces have more than three corners (up to 4); they were cut into "
+        "12 triangles\n",
+        "note          the mesh is inside out: it is closed, and"}) {
+    EXPECT_NE(inside_out.find(line), std::string::npos) << inside_out;
+  }
+  folder_.write("metres.off", "OFF\n3 1 0\n.02 0 0\n.021 0 0\n0.02 0.001 0\n3 0 1 2\n");
+  const std::string metres = run({"measure", "metres.off", "--dataset", "torus", "-q"}).out;
+  for (const char* line :
+       {"note          the mesh is far from the surface; the diagonal of its bounding box is 0.00141 mm",
+        "is the mesh in metres? Lengths must be in mm\n"}) {
+    EXPECT_NE(metres.find(line), std::string::npos) << metres;
+  }
 }
 
 TEST_F(ProgramVerbs, MeasureOfAMeshAloneGivesWhatNeedsNoSurface) {

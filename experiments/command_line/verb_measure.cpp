@@ -4,6 +4,7 @@
 #include "isobench/experiments/runner/remeasure.h"
 #include "isobench/experiments/runner/store.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/methods/mesh_files/mesh_notes.h"
 #include "isobench/reports/record/record.h"
 #include "isobench/reports/tables/summary.h"
 
@@ -41,10 +42,11 @@ int measure_file(const MeasureArguments& arguments, const CommonArguments& commo
     request.floor = arguments.floor;
     check(request);
   }
-  TriangleMesh mesh = read_mesh(arguments.mesh);
   Console console(common.verbosity);
   ConsoleSink sink(console);
   Monitor monitor(&sink);
+  TriangleMesh mesh = read_mesh(arguments.mesh, monitor);
+  for (const std::string& note : notes_on(mesh)) monitor.note(note);
   Dataset dataset;
   std::optional<SizingField> sizing;
   if (arguments.surface.given()) {

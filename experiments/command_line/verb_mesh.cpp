@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "isobench/datasets/topology/component_volumes.h"
@@ -8,6 +7,7 @@
 #include "isobench/experiments/plan/plan.h"
 #include "isobench/experiments/runner/cell.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/methods/mesh_files/mesh_notes.h"
 #include "isobench/methods/method.h"
 #include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/tables/summary.h"
@@ -17,21 +17,6 @@ namespace isobench {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Called before meshing, so that no time is spent on a mesh that cannot be written.
-void check_output(const fs::path& output) {
-  if (output.empty()) return;
-  const std::vector<std::string> endings = {".vtp", ".ply", ".off", ".obj", ".stl"};
-  const std::string ending = output.extension().string();
-  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
-    throw UsageError(
-        fmt::format("{}: unknown ending '{}'; known are: {}", output.string(), ending, fmt::join(endings, ", ")));
-  }
-  const fs::path folder = output.parent_path();
-  if (!folder.empty() && !fs::is_directory(folder)) {
-    throw UsageError(output.string() + ": the folder " + folder.string() + " does not exist; make it first");
-  }
-}
 
 RunRequest request_of(const MeshArguments& arguments) {
   const Method& chosen = method(arguments.method);
@@ -89,7 +74,8 @@ void note_specks(const Dataset& dataset, Monitor& monitor) {
 
 int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
   check(arguments.surface);
-  check_output(arguments.output);
+  // Before meshing, so that no time is spent on a mesh that cannot be written.
+  if (!arguments.output.empty()) check_mesh_path(arguments.output);
   if (!arguments.artefacts.empty() && !fs::is_directory(arguments.artefacts)) {
     throw UsageError("--artefacts " + arguments.artefacts.string() + ": there is no such folder; make it first");
   }
@@ -112,7 +98,10 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
                         .announce = [&](const std::string& expected) { console.line("expected: " + expected); }};
     const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record, bounds), placed);
     console.clear();
-    if (!arguments.output.empty()) write_mesh(mesh, arguments.output);
+    if (!arguments.output.empty()) {
+      write_mesh(mesh, arguments.output);
+      if (const std::string loss = loss_in_file(mesh, arguments.output); !loss.empty()) monitor.note(loss);
+    }
     write_artefacts(monitor.artefacts(), placed, arguments.artefacts);
   } catch (const Skipped& skipped) {
     console.clear();

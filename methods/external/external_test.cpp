@@ -123,6 +123,16 @@ TEST(External, AMeshInsideOutIsTurned) {
   EXPECT_EQ(made.counters.at("external/components turned"), 1.0);
 }
 
+TEST(External, WhatIsNoTriangleIsReadAsItCanBe) {
+  // Each triangle as a quadrilateral that names its last corner twice, and a line.
+  const Trial made = run("awk '/^f /{print $0, $4; next} {print}' \"$1\" > \"$2\"; echo l 1 2 >> \"$2\"",
+                         {{"mesh", "mesh.obj"}, {"output", "output.obj"}});
+  EXPECT_EQ(made.error, "");
+  expect_the_sphere(made.mesh, "quadrilaterals");
+  EXPECT_NE(made.notes.find("output.obj: its 1 line is no part of a surface; left out\n"), std::string::npos)
+      << made.notes;
+}
+
 TEST(External, BarePointsAreProjectedAndClosed) {
   // Prints the vertices of the marching-cubes mesh, rounded, one of them twice.
   const std::string script =

@@ -7,6 +7,7 @@
 #include "isobench/methods/external/exchange.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/methods/mesh_files/mesh_notes.h"
 
 namespace isobench::external {
 
@@ -118,13 +119,16 @@ FloatVolume sizing_for(const MeshingTask& task, const SizingField& sizing) {
 }
 
 // Writes the file and returns its name.
-std::string write_file(const MeshingTask& task, const std::string& kind, Offer& offer, const fs::path& folder) {
+std::string write_file(const MeshingTask& task, const std::string& kind, Offer& offer, const fs::path& folder,
+                       Monitor& monitor) {
   const std::string& name = task.parameters.text(kind);
   if (kind == "volume") write_volume(volume_for(task), folder / name);
   if (kind == "sizing") write_volume(sizing_for(task, offer.sizing()), folder / name);
   if (kind == "mesh") {
     const TriangleMesh& mesh = offer.lattice_mesh();
-    write_mesh(in_world(task) ? to_world(mesh, task.surface.lattice()) : mesh, folder / name);
+    const TriangleMesh placed = in_world(task) ? to_world(mesh, task.surface.lattice()) : mesh;
+    write_mesh(placed, folder / name);
+    if (const std::string loss = loss_in_file(placed, name); !loss.empty()) monitor.note("external: " + loss);
   }
   return name;
 }
@@ -163,7 +167,7 @@ std::map<std::string, Value> hand_over(const MeshingTask& task, const std::vecto
   std::map<std::string, Value> values;
   for (const std::string& name : wanted) {
     if (std::find(std::begin(file_parameters), std::end(file_parameters), name) != std::end(file_parameters)) {
-      values[name] = write_file(task, name, offer, folder);
+      values[name] = write_file(task, name, offer, folder, monitor);
       continue;
     }
     for (const Figure& figure : figures) {

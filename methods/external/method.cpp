@@ -181,8 +181,8 @@ std::string name_problem(const std::string& name) {
 
 constexpr const char* volume_endings[] = {".nrrd", ".vti", nullptr};
 constexpr const char* mesh_endings[] = {".ply", ".off", ".obj", ".stl", ".vtp", nullptr};
-constexpr const char* output_endings[] = {".ply",  ".off",  ".obj", ".stl", ".vtp",
-                                          ".nrrd", ".nhdr", ".xyz", ".txt", nullptr};
+constexpr const char* output_endings[] = {".ply", ".off",  ".obj",  ".stl", ".vtp", ".vtk",
+                                          ".vtu", ".nrrd", ".nhdr", ".xyz", ".txt", nullptr};
 
 ParameterSpec file(const char* name, const char* standard, const char* description,
                    std::string (*problem)(const std::string&)) {

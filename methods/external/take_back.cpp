@@ -118,7 +118,7 @@ TriangleMesh take_back(const MeshingTask& task, const std::filesystem::path& pat
     if (points)
       mesh.vertices = read_points(path);
     else
-      mesh = read_mesh(path);
+      mesh = read_mesh(path, monitor);
     bring_home(mesh, frame_of_output(task.parameters), task.surface.lattice());
     if (task.parameters.flag("project")) project(mesh.vertices, task.surface, monitor);
   }

@@ -1,5 +1,6 @@
-// Reads and writes mesh files; the path's ending gives the format: VTP (coordinates in double, with data arrays), PLY,
-// OFF and OBJ (coordinates in double, without data), STL (written as binary; single precision).
+// Reads and writes mesh files; the path's ending, in capital or small letters, gives the format. VTP (coordinates in
+// double, with data arrays), PLY, OFF and OBJ (coordinates in double, without data) and STL (written as binary; single
+// precision) are read and written. VTK (legacy) and VTU are read.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,12 @@
 
 namespace isobench {
 
-/// Throws UsageError for an unknown ending. Throws Error if the file cannot be written; an older file then stays.
+/// Throws UsageError unless write_mesh() can write a file of this path: its ending must be one that is written, its
+/// folder must exist, and it must not be a folder itself. Call it before the work that makes the mesh.
+void check_mesh_path(const std::filesystem::path& path);
+
+/// Throws UsageError for an unknown ending. Throws Error if the file cannot be written; an older file then stays. What
+/// the format cannot hold is lost without an error: loss_in_file() of mesh_notes.h says what.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
 
 /// Writes the artefacts of a monitor (points with data), each to `folder`/<name>.vtp, in world coordinates. Throws
@@ -23,10 +29,14 @@ void write_artefacts(const std::map<std::string, Artefact>& artefacts, const Lat
 /// Reads such a file; its points stay in world coordinates. Throws DataError if it is missing or damaged.
 Artefact read_artefact(const std::filesystem::path& path);
 
-/// Reads a triangle mesh; corners of STL files at the same position become one vertex. Throws UsageError for an unknown
-/// ending. Throws DataError for a file that is missing, empty, truncated or of another format, or that has polygons
-/// other than triangles, indices out of range or coordinates that are not finite.
+/// Reads a surface mesh. Polygons and strips are cut into triangles; points, lines and what else is no surface are left
+/// out. Corners of STL files at the same position become one vertex; other formats keep their vertices. Coordinates are
+/// taken as mm, triangles as they are turned. Throws UsageError for an unknown ending. Throws DataError for a file that
+/// is missing, empty, truncated or of another format, or that has no triangles, cells with a volume, indices out of
+/// range or coordinates that are not finite.
 TriangleMesh read_mesh(const std::filesystem::path& path);
+/// The same; what was cut, left out or decided becomes notes, with the file's name.
+TriangleMesh read_mesh(const std::filesystem::path& path, Monitor& monitor);
 
 /// The names of the data arrays of a VTP file that write_mesh() has written; only the beginning of the file is read.
 /// Empty if there is no such file.

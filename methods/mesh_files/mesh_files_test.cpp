@@ -185,21 +185,6 @@ TEST_F(MeshFiles, OfAnotherKindAreDataErrors) {
   }
 }
 
-TEST_F(MeshFiles, WithPolygonsOtherThanTrianglesAreDataErrors) {
-  const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-  expect_contains(error("a.off", "OFF\n4 1 0\n" + vertices + "4 0 1 2 3\n"), "only triangles");
-  expect_contains(error("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"), "only triangles");
-  expect_contains(error("a.ply",
-                        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
-                            vertices + "4 0 1 2 3\n"),
-                  "other than triangles");
-  expect_contains(error("a.stl",
-                        "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
-                        "vertex 0 1 0\nendloop\nendfacet\nendsolid\n"),
-                  "only triangles");
-}
-
 // A VTP file in ASCII with three vertices and the given connectivity and offsets of its polygons.
 std::string vtp_text(const std::string& points, const std::string& connectivity, const std::string& offsets) {
   const std::string number_of_polys = std::to_string(std::count(offsets.begin(), offsets.end(), ' ') + 1);
@@ -215,7 +200,7 @@ std::string vtp_text(const std::string& points, const std::string& connectivity,
 TEST_F(MeshFiles, VtpOfOtherProgramsIsReadAndChecked) {
   const std::string points = "0 0 0 1 0 0 0 1 0";
   EXPECT_EQ(read_mesh(file("a.vtp", vtp_text(points, "0 1 2", "3"))).triangles, (std::vector<Triangle>{{0, 1, 2}}));
-  expect_contains(error("a.vtp", vtp_text(points, "0 1 2 0", "4")), "other than triangles");
+  EXPECT_EQ(read_mesh(file("a.vtp", vtp_text(points, "0 1 2 0", "4"))).triangles.size(), 1U) << "a corner twice";
   expect_contains(error("a.vtp", vtp_text(points, "0 1 3", "3")), "not there");
   expect_contains(error("a.vtp", vtp_text(points, "0 1 -2", "3")), "not there");
   expect_contains(error("a.vtp", vtp_text("0 0 0 1 nan 0 0 1 0", "0 1 2", "3")), "not finite");
@@ -224,13 +209,14 @@ TEST_F(MeshFiles, VtpOfOtherProgramsIsReadAndChecked) {
 }
 
 TEST_F(MeshFiles, WithIndicesOutOfRangeAreDataErrors) {
-  expect_contains(error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "not there");
-  expect_contains(error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), "not there");
+  expect_contains(error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "the face names vertex 3, but");
+  expect_contains(error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), "the face names vertex -1, but");
   expect_contains(error("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "not there");
   expect_contains(error("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), "not there");
   std::string ply = written("a.ply");
   ply[ply.size() - 4] = 6;
-  expect_contains(error("a.ply", ply), "triangle 7 names a vertex that is not there (the file has 6)");
+  expect_contains(error("a.ply", ply),
+                  "face 7 names a vertex that is not there (the file has 6, and faces count from 0)");
 }
 
 TEST_F(MeshFiles, WithCoordinatesThatAreNotFiniteAreDataErrors) {
@@ -254,8 +240,7 @@ TEST_F(MeshFiles, WithoutTrianglesAreDataErrors) {
 }
 
 TEST_F(MeshFiles, WithHalfATriangleOrAnAxisTwiceAreDataErrors) {
-  expect_contains(error("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 5 5 5\nendsolid\n"),
-                  "lacks a corner");
+  expect_contains(error("a.stl", "solid\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendsolid\n"), "fewer than three");
   expect_contains(
       error("a.ply",
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float x\n"
@@ -280,10 +265,31 @@ TEST_F(MeshFiles, HugeCountsInAHeaderDoNotExhaustTheMemory) {
 }
 
 TEST_F(MeshFiles, OfUnknownEndingsAreUsageErrors) {
-  for (const char* name : {"a.xyz", "a", "a.vtk"}) {
+  EXPECT_THROW(write_mesh(octahedron(), folder_ / "a.vtk"), UsageError) << "is only read";
+  for (const char* name : {"a.xyz", "a", "a.msh"}) {
     EXPECT_THROW(write_mesh(octahedron(), folder_ / name), UsageError) << name;
     EXPECT_THROW(read_mesh(folder_ / name), UsageError) << name;
   }
+}
+
+TEST_F(MeshFiles, PathsAreCheckedBeforeTheWork) {
+  const auto problem = [](const std::filesystem::path& path) -> std::string {
+    try {
+      check_mesh_path(path);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const char* name : {"a.stl", "a.STL", "A.Ply", "a.vtp"}) EXPECT_EQ(problem(folder_ / name), "") << name;
+  EXPECT_EQ(problem("a.obj"), "");
+  expect_contains(problem(folder_), folder_.string() + ": is a folder; name a file in it");
+  expect_contains(problem(folder_ / "new" / ""), "is a folder; name a file in it");
+  expect_contains(problem(folder_ / "no" / "a.stl"), "does not exist; make it first");
+  expect_contains(problem(folder_ / "a.vtk"),
+                  "unknown ending '.vtk'; meshes are written to files that end in .vtp, .ply");
+  std::filesystem::create_directory(folder_ / "folder.stl");
+  expect_contains(problem(folder_ / "folder.stl"), "is a folder");
 }
 
 TEST_F(MeshFiles, ThatCannotBeWrittenAreErrors) {

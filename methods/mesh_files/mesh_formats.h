@@ -1,6 +1,9 @@
-// One reader and one writer per mesh format; read_mesh() and write_mesh() choose among them. VTK's own readers and
-// writers store coordinates in single precision (PLY, OBJ) or read damaged files without an error; only VTP is written
-// by VTK.
+// One reader and one writer per mesh format; read_mesh() and write_mesh() choose among them.
+//
+// The readers are ours. Those of VTK 9.1 take as much memory as a header states and read damaged or truncated files
+// without an error; they keep coordinates of PLY and OBJ files in single precision, and OBJ faces without the file's
+// own numbers. Those of CGAL stop at the first statement, property or list that they do not know, and say no more than
+// that the file cannot be read. Only VTP is written by VTK.
 //
 // Readers throw DataError, with the file's name, if the content is not of the format or ends early. read_mesh() checks
 // indices and coordinates for all formats. Writers write whole files (whole_files.h): if that fails, they throw Error,
@@ -9,16 +12,21 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "isobench/methods/mesh/triangle_mesh.h"
+#include "isobench/methods/mesh_files/polygon_mesh.h"
 
 namespace isobench {
 
-TriangleMesh read_vtp(const std::filesystem::path& path);
-TriangleMesh read_ply(const std::filesystem::path& path);
-TriangleMesh read_off(const std::filesystem::path& path);
-TriangleMesh read_obj(const std::filesystem::path& path);
-TriangleMesh read_stl(const std::filesystem::path& path);
+/// A VTK XML file of polygons or of an unstructured grid, whichever of both the file holds.
+PolygonMesh read_vtp(const std::filesystem::path& path);
+/// A legacy VTK file, the same.
+PolygonMesh read_vtk(const std::filesystem::path& path);
+PolygonMesh read_ply(const std::filesystem::path& path);
+PolygonMesh read_off(const std::filesystem::path& path);
+PolygonMesh read_obj(const std::filesystem::path& path);
+PolygonMesh read_stl(const std::filesystem::path& path);
 
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path);
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path);
@@ -30,5 +38,8 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path);
 std::string read_bytes(const std::filesystem::path& path);
 /// Throws DataError("path: message").
 [[noreturn]] void bad_mesh(const std::filesystem::path& path, const std::string& message);
+/// Throws DataError("path: is not <format>: <why>"), with the format that the file's first bytes show, if they do.
+[[noreturn]] void not_of_format(const std::filesystem::path& path, std::string_view bytes, const std::string& format,
+                                const std::string& why);
 
 }  // namespace isobench

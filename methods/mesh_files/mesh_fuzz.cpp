@@ -1,6 +1,7 @@
 // Fuzz targets for the readers of mesh files.
 #include "isobench/foundation/testing/fuzz_target.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/methods/mesh_files/mesh_notes.h"
 
 namespace isobench {
 
@@ -30,21 +31,29 @@ void check_round_trip(const TriangleMesh& mesh, const std::string& name) {
   require(again.vertices == mesh.vertices && again.triangles == mesh.triangles, "writing and reading keep the mesh");
 }
 
-bool read(std::string_view bytes, const std::string& ending) {
+/// Reads a file of one ending and writes it with another one.
+bool read(std::string_view bytes, const std::string& ending, const std::string& written_as) {
   return accepts([&] {
-    const TriangleMesh mesh = read_mesh(fuzz_file("mesh" + ending, bytes));
+    Monitor monitor;
+    const TriangleMesh mesh = read_mesh(fuzz_file("mesh" + ending, bytes), monitor);
     check_mesh(mesh, bytes.size());
-    if (ending != ".stl") check_round_trip(mesh, "again" + ending);  // STL has single precision only
+    std::vector<std::string> notes = notes_on(mesh);
+    notes.push_back(loss_in_file(mesh, "a.stl"));
+    notes.insert(notes.end(), monitor.notes().begin(), monitor.notes().end());
+    for (const std::string& note : notes) require(note.size() < 500, "a note is a sentence");
+    check_round_trip(mesh, "again" + written_as);
     return true;
   });
 }
 
 }  // namespace
 
-bool fuzz_vtp(std::string_view bytes) { return read(bytes, ".vtp"); }
-bool fuzz_ply(std::string_view bytes) { return read(bytes, ".ply"); }
-bool fuzz_off(std::string_view bytes) { return read(bytes, ".off"); }
-bool fuzz_obj(std::string_view bytes) { return read(bytes, ".obj"); }
-bool fuzz_stl(std::string_view bytes) { return read(bytes, ".stl"); }
+bool fuzz_vtp(std::string_view bytes) { return read(bytes, ".vtp", ".vtp"); }
+bool fuzz_vtu(std::string_view bytes) { return read(bytes, ".vtu", ".vtp"); }
+bool fuzz_vtk(std::string_view bytes) { return read(bytes, ".vtk", ".ply"); }
+bool fuzz_ply(std::string_view bytes) { return read(bytes, ".ply", ".ply"); }
+bool fuzz_off(std::string_view bytes) { return read(bytes, ".off", ".off"); }
+bool fuzz_obj(std::string_view bytes) { return read(bytes, ".obj", ".obj"); }
+bool fuzz_stl(std::string_view bytes) { return read(bytes, ".stl", ".off"); }  // STL itself has single precision only
 
 }  // namespace isobench

@@ -124,11 +124,13 @@ PlyProperty read_property(const TextLines& lines) {
   return property;
 }
 
-PlyHeader read_header(std::string_view text, const std::filesystem::path& path) {
+/// Leaves `bytes` at the body.
+PlyHeader read_header(std::string_view& bytes, const std::filesystem::path& path) {
   PlyHeader header;
-  TextLines lines(text, path);
+  TextLines lines(bytes, path);
   lines.next();  // "ply"
-  while (lines.next()) {
+  bool complete = false;
+  while (!complete && lines.next()) {
     const std::vector<std::string_view>& words = lines.words();
     if (words[0] == "format" && words.size() == 3) {
       header.format = words[1];
@@ -137,85 +139,142 @@ PlyHeader read_header(std::string_view text, const std::filesystem::path& path) 
       if (header.elements.back().count < 0) lines.fail("counts cannot be negative");
     } else if (words[0] == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(read_property(lines));
-    } else if (words[0] != "comment" && words[0] != "obj_info") {
+    } else if (words[0] != "comment" && words[0] != "obj_info" && words[0] != "end_header") {
       lines.fail(fmt::format("'{}' is not allowed here in a PLY header", words[0]));
     }
+    complete = words[0] == "end_header";
   }
+  if (!complete) bad_mesh(path, "is truncated: it ends within its header");
+  bytes = lines.rest();
   if (header.format != "ascii" && header.format != "binary_little_endian" && header.format != "binary_big_endian") {
     bad_mesh(path, fmt::format("'{}' is not a PLY format", header.format));
   }
   return header;
 }
 
-void read_vertices(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, TriangleMesh& mesh) {
+/// The number of values of a property: 1, or a list's length.
+double length_of(const PlyProperty& property, PlyBody& body, const std::filesystem::path& path) {
+  if (!property.count_type) return 1.0;
+  const double count = body.next(*property.count_type);
+  if (!(count >= 0.0) || count != std::floor(count)) {
+    bad_mesh(path, fmt::format("a list of '{}' has {} values; copy or export it again", property.name, count));
+  }
+  return count;
+}
+
+void skip(const PlyProperty& property, PlyBody& body, const std::filesystem::path& path) {
+  const double count = length_of(property, body, path);
+  for (double n = 0; n < count; ++n) body.next(property.type);
+}
+
+void skip(const PlyElement& element, PlyBody& body, const std::filesystem::path& path) {
+  // An element without properties takes no bytes: do not loop over a huge count of them.
+  for (long n = 0; n < element.count && !element.properties.empty(); ++n) {
+    for (const PlyProperty& property : element.properties) skip(property, body, path);
+  }
+}
+
+void read_vertices(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, PolygonMesh& mesh) {
   constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+  if (!mesh.vertices.empty()) bad_mesh(path, "has vertices twice; export it again");
   std::array<int, 3> found{};
+  std::vector<int> axes;  // of each property; −1 if it is no coordinate
   for (const PlyProperty& property : element.properties) {
-    if (property.count_type) bad_mesh(path, "vertices with lists cannot be read");
-    for (std::size_t axis = 0; axis < 3; ++axis) found[axis] += property.name == kAxes[axis] ? 1 : 0;
+    const auto at = std::find(kAxes.begin(), kAxes.end(), property.count_type ? "" : property.name);
+    axes.push_back(at == kAxes.end() ? -1 : static_cast<int>(at - kAxes.begin()));
+    if (axes.back() >= 0) ++found[static_cast<std::size_t>(axes.back())];
   }
   if (found != std::array<int, 3>{1, 1, 1}) bad_mesh(path, "its vertices do not have the properties x, y and z");
   for (long v = 0; v < element.count; ++v) {
     Eigen::Vector3d& vertex = mesh.vertices.emplace_back();
-    for (const PlyProperty& property : element.properties) {
-      const double value = body.next(property.type);
-      for (int axis = 0; axis < 3; ++axis) {
-        if (property.name == kAxes[static_cast<std::size_t>(axis)]) vertex[axis] = value;
+    for (std::size_t p = 0; p < axes.size(); ++p) {
+      if (axes[p] >= 0) {
+        vertex[axes[p]] = body.next(element.properties[p].type);
+      } else {
+        skip(element.properties[p], body, path);
       }
     }
   }
 }
 
-void read_faces(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, TriangleMesh& mesh) {
-  for (long t = 0; t < element.count; ++t) {
-    bool found = false;
+/// Faces or strips: the corners of each of them go to `add`.
+template <typename Add>
+void read_lists(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, Add add) {
+  const auto is_corners = [](const PlyProperty& property) {
+    return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+  };
+  const auto found = std::count_if(element.properties.begin(), element.properties.end(), is_corners);
+  if (found != 1 && element.count > 0) {
+    bad_mesh(path, fmt::format("its element '{}' does not have one list vertex_indices", element.name));
+  }
+  std::vector<double> corners;
+  for (long n = 0; n < element.count; ++n) {
     for (const PlyProperty& property : element.properties) {
-      const double count = property.count_type ? body.next(*property.count_type) : 1.0;
-      if (!property.count_type || (property.name != "vertex_indices" && property.name != "vertex_index")) {
-        for (double n = 0; n < count; ++n) body.next(property.type);
+      if (!is_corners(property)) {
+        skip(property, body, path);
         continue;
       }
-      if (count != 3.0) bad_mesh(path, "holds polygons other than triangles");
-      Triangle& triangle = mesh.triangles.emplace_back();
-      for (std::uint32_t& corner : triangle) corner = to_index(body.next(property.type));
-      found = true;
+      corners.clear();
+      const double count = length_of(property, body, path);
+      for (double c = 0; c < count; ++c) corners.push_back(body.next(property.type));
+      add(corners);
     }
-    if (!found) bad_mesh(path, "its faces do not have the property vertex_indices");
   }
 }
 
-void skip(const PlyElement& element, PlyBody& body) {
-  // An element without properties takes no bytes: do not loop over a huge count of them.
-  for (long n = 0; n < element.count && !element.properties.empty(); ++n) {
-    for (const PlyProperty& property : element.properties) {
-      const double count = property.count_type ? body.next(*property.count_type) : 1.0;
-      for (double m = 0; m < count; ++m) body.next(property.type);
+void read_faces(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, PolygonMesh& mesh) {
+  std::size_t points = 0, edges = 0;
+  read_lists(element, body, path, [&](const std::vector<double>& corners) {
+    if (corners.size() < 3) {
+      ++(corners.size() == 1 ? points : edges);
+      return;
     }
-  }
+    for (const double corner : corners) mesh.corners.push_back(to_index(corner));
+    mesh.end_polygon();
+  });
+  mesh.note_left_out(points, edges);
+}
+
+/// In a list of strips, −1 ends a strip.
+void read_strips(const PlyElement& element, PlyBody& body, const std::filesystem::path& path, PolygonMesh& mesh) {
+  std::vector<std::uint32_t> strip;
+  std::size_t triangles = 0;
+  read_lists(element, body, path, [&](const std::vector<double>& corners) {
+    strip.clear();
+    for (const double corner : corners) {
+      if (corner != -1.0) {
+        strip.push_back(to_index(corner));
+        continue;
+      }
+      triangles += mesh.add_strip(strip);
+      strip.clear();
+    }
+    triangles += mesh.add_strip(strip);
+  });
+  if (triangles > 0) mesh.notes.push_back(fmt::format("its strips of triangles were cut into {} triangles", triangles));
 }
 
 }  // namespace
 
-TriangleMesh read_ply(const std::filesystem::path& path) {
+PolygonMesh read_ply(const std::filesystem::path& path) {
   const std::string file = read_bytes(path);
-  const std::string_view bytes = file;
-  if (!bytes.starts_with("ply\n") && !bytes.starts_with("ply\r")) {
-    bad_mesh(path, "is not a PLY file: it does not start with the word ply");
+  std::string_view bytes = file;
+  if (bytes.starts_with(utf8_mark)) bytes.remove_prefix(utf8_mark.size());
+  if (!bytes.starts_with("ply") || bytes.substr(3, 1).find_first_of(" \t\r\n") != 0) {
+    not_of_format(path, bytes, "a PLY file", "it does not start with the word ply");
   }
-  const std::size_t end = bytes.find("end_header");
-  const std::size_t body_start = end == std::string_view::npos ? end : bytes.find('\n', end);
-  if (body_start == std::string_view::npos) bad_mesh(path, "is truncated: it ends within its header");
-  const PlyHeader header = read_header(bytes.substr(0, end), path);
-
-  PlyBody body(bytes.substr(body_start + 1), header.format, path);
-  TriangleMesh mesh;
+  const PlyHeader header = read_header(bytes, path);
+  PlyBody body(bytes, header.format, path);
+  PolygonMesh mesh;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
       read_vertices(element, body, path, mesh);
     } else if (element.name == "face") {
       read_faces(element, body, path, mesh);
+    } else if (element.name == "tristrips") {
+      read_strips(element, body, path, mesh);
     } else {
-      skip(element, body);
+      skip(element, body, path);
     }
   }
   return mesh;

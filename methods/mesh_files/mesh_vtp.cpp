@@ -17,7 +17,7 @@
 #include "isobench/foundation/files/whole_files.h"
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/mesh_files/mesh_formats.h"
-#include "isobench/methods/mesh_files/mesh_text.h"
+#include "isobench/methods/mesh_files/vtk_cells.h"
 
 namespace isobench {
 
@@ -39,52 +39,113 @@ const VtkElement& array_of(const VtkXmlFile& file, const VtkElement& parent, con
   for (const VtkElement& array : parent.children) {
     if (array.name == "DataArray" && (name.empty() || array.attribute("Name") == name)) return array;
   }
-  file.fail(name.empty() ? "its points have no coordinates" : "its polygons have no " + name);
+  file.fail(name.empty() ? "its points have no coordinates" : "its cells have no " + name);
 }
 
-void add_points(const VtkXmlFile& file, const VtkElement& piece, std::size_t count, TriangleMesh& mesh) {
+void add_points(const VtkXmlFile& file, const VtkElement& piece, std::size_t count,
+                std::vector<Eigen::Vector3d>& vertices) {
   const VtkElement* points = piece.child("Points");
   if (count == 0) return;
   if (points == nullptr) file.fail("its points have no coordinates");
-  const std::vector<double> coordinates = file.numbers(array_of(file, *points, ""), 3 * count);
-  for (std::size_t v = 0; v < count; ++v) mesh.vertices.emplace_back(coordinates.data() + 3 * v);
+  const VtkElement& array = array_of(file, *points, "");
+  const std::string components = array.attribute("NumberOfComponents", "3");
+  if (components != "3") file.fail(fmt::format("its points have {} coordinates; three are needed", components));
+  const std::vector<double> coordinates = file.numbers(array, 3 * count);
+  for (std::size_t v = 0; v < count; ++v) vertices.emplace_back(coordinates.data() + 3 * v);
 }
 
-/// Adds the triangles of a piece; `first` is the number of the piece's first point.
-void add_triangles(const VtkXmlFile& file, const VtkElement& piece, std::size_t count, std::size_t first,
-                   TriangleMesh& mesh) {
-  const VtkElement* polygons = piece.child("Polys");
+VtkCells cells_of(const VtkXmlFile& file, const VtkElement& parent, std::size_t count) {
+  VtkCells cells;
+  cells.ends = file.numbers(array_of(file, parent, "offsets"), count);
+  const double corners = cells.ends.back();
+  if (!(corners >= 0.0 && corners < 1e12)) file.fail("damaged: its last cell ends nowhere; copy or export it again");
+  cells.corners = file.numbers(array_of(file, parent, "connectivity"), static_cast<std::size_t>(corners));
+  return cells;
+}
+
+/// Adds the cells of a piece of polygons, in the order in which VTK numbers them; `first` is the number of its first
+/// point.
+void add_poly_data(const VtkXmlFile& file, const VtkElement& piece, std::size_t first, VtkCellAdder& adder) {
+  struct Kind {
+    const char* count;
+    const char* element;
+    VtkCellType type;
+  };
+  static constexpr Kind kinds[] = {{"NumberOfVerts", "Verts", VtkCellType::vertex},
+                                   {"NumberOfLines", "Lines", VtkCellType::line},
+                                   {"NumberOfPolys", "Polys", VtkCellType::polygon},
+                                   {"NumberOfStrips", "Strips", VtkCellType::strip}};
+  for (const Kind& kind : kinds) {
+    const std::size_t count = file.count(piece, kind.count);
+    if (count == 0) continue;
+    const VtkElement* cells = piece.child(kind.element);
+    if (cells == nullptr) file.fail(fmt::format("it counts {} of {}, but has none", count, kind.element));
+    adder.add(cells_of(file, *cells, count), kind.type, first);
+  }
+}
+
+void add_grid(const VtkXmlFile& file, const VtkElement& piece, std::size_t first, VtkCellAdder& adder) {
+  const std::size_t count = file.count(piece, "NumberOfCells");
   if (count == 0) return;
-  if (polygons == nullptr) file.fail("its polygons have no corners");
-  const std::vector<double> ends = file.numbers(array_of(file, *polygons, "offsets"), count);
-  for (std::size_t t = 0; t < count; ++t) {
-    if (ends[t] != static_cast<double>(3 * (t + 1))) file.fail("holds polygons other than triangles");
-  }
-  const std::vector<double> corners = file.numbers(array_of(file, *polygons, "connectivity"), 3 * count);
-  const auto offset = static_cast<double>(first);
-  for (std::size_t t = 0; t < count; ++t) {
-    Triangle& triangle = mesh.triangles.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double corner = corners[3 * t + c];
-      triangle[c] = to_index(corner < 0.0 ? corner : corner + offset);
-    }
+  const VtkElement* cells = piece.child("Cells");
+  if (cells == nullptr) file.fail(fmt::format("it counts {} cells, but has none", count));
+  const std::vector<double> types = file.numbers(array_of(file, *cells, "types"), count);
+  adder.add(cells_of(file, *cells, count), types, first);
+}
+
+/// Calls use(name, values) for the scalar arrays of a piece; TriangleMesh has no vectors.
+template <typename Use>
+void for_each_scalars(const VtkXmlFile& file, const VtkElement* source, std::size_t count, Use use) {
+  if (source == nullptr) return;
+  for (const VtkElement& array : source->children) {
+    const std::string name = array.attribute("Name");
+    if (array.name != "DataArray" || name.empty() || !VtkXmlFile::is_numeric(array)) continue;
+    if (array.attribute("NumberOfComponents", "1") == "1") use(name, file.numbers(array, count));
   }
 }
 
-/// Adds the scalar arrays of a piece; TriangleMesh has no vectors. Arrays that are not in every piece are dropped.
-void add_data(const VtkXmlFile& file, const VtkElement* source, std::size_t count, std::size_t before,
-              DataArrays& arrays) {
-  if (source != nullptr) {
-    for (const VtkElement& array : source->children) {
-      const std::string name = array.attribute("Name");
-      if (array.name != "DataArray" || name.empty() || !VtkXmlFile::is_numeric(array)) continue;
-      if (array.attribute("NumberOfComponents", "1") != "1" || (before > 0 && !arrays.contains(name))) continue;
-      if (arrays[name].size() != before) continue;  // of two arrays with one name, the first is read
-      const std::vector<double> values = file.numbers(array, count);
-      arrays[name].insert(arrays[name].end(), values.begin(), values.end());
-    }
+/// Adds the values of one piece. Arrays that are not in every piece are dropped; of two with one name, the first is
+/// kept. `count` values of the piece follow the `before` of earlier pieces.
+class PieceData {
+ public:
+  PieceData(DataArrays& arrays, std::size_t before, std::size_t count)
+      : arrays_(arrays), before_(before), count_(count) {}
+  PieceData(const PieceData&) = delete;
+  PieceData& operator=(const PieceData&) = delete;
+  ~PieceData() {
+    std::erase_if(arrays_, [this](const auto& entry) { return entry.second.size() != before_ + count_; });
   }
-  std::erase_if(arrays, [&](const auto& entry) { return entry.second.size() != before + count; });
+  void add(const std::string& name, const std::vector<double>& values) {
+    if (before_ > 0 && !arrays_.contains(name)) return;
+    std::vector<double>& array = arrays_[name];
+    if (array.size() == before_) array.insert(array.end(), values.begin(), values.end());
+  }
+
+ private:
+  DataArrays& arrays_;
+  std::size_t before_;
+  std::size_t count_;
+};
+
+void add_point_data(const VtkXmlFile& file, const VtkElement& piece, std::size_t count, std::size_t before,
+                    DataArrays& arrays) {
+  PieceData data(arrays, before, count);
+  for_each_scalars(file, piece.child("PointData"), count,
+                   [&](const std::string& name, const std::vector<double>& values) { data.add(name, values); });
+}
+
+/// Data of a cell become data of the polygons that were made of it.
+void add_cell_data(const VtkXmlFile& file, const VtkElement& piece, const std::vector<std::size_t>& polygons_of_cells,
+                   std::size_t before, PolygonMesh& mesh) {
+  PieceData data(mesh.polygon_data, before, mesh.size() - before);
+  for_each_scalars(file, piece.child("CellData"), polygons_of_cells.size(),
+                   [&](const std::string& name, const std::vector<double>& values) {
+                     std::vector<double> of_polygons;
+                     for (std::size_t c = 0; c < values.size(); ++c) {
+                       of_polygons.insert(of_polygons.end(), polygons_of_cells[c], values[c]);
+                     }
+                     data.add(name, of_polygons);
+                   });
 }
 
 vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Eigen::Vector3d>& positions) {
@@ -115,24 +176,27 @@ void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
 
 }  // namespace
 
-TriangleMesh read_vtp(const std::filesystem::path& path) {
-  read_bytes(path);  // throws if there is no such file
-  const VtkXmlFile file(path, "PolyData");
-  TriangleMesh mesh;
+PolygonMesh read_vtp(const std::filesystem::path& path) {
+  // Its beginning says what it holds; VtkXmlFile looks for the same words at the same place.
+  const std::string head = read_bytes(path).substr(0, 4096);
+  if (head.find("<VTKFile") == std::string::npos) {
+    not_of_format(path, head, "a VTK XML file", "it has no element VTKFile");
+  }
+  const bool grid = head.find("\"UnstructuredGrid\"") != std::string::npos;
+  const VtkXmlFile file(path, grid ? "UnstructuredGrid" : "PolyData");
+  PolygonMesh mesh;
+  VtkCellAdder adder(mesh, path);
   for (const VtkElement& piece : file.data().children) {
     if (piece.name != "Piece") continue;
-    for (const char* others : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"}) {
-      if (file.count(piece, others) > 0) file.fail("has vertices, lines or strips; only triangles can be read");
-    }
     const std::size_t vertices = mesh.vertices.size();
-    const std::size_t triangles = mesh.triangles.size();
+    const std::size_t polygons = mesh.size();
     const std::size_t points = file.count(piece, "NumberOfPoints");
-    const std::size_t polygons = file.count(piece, "NumberOfPolys");
-    add_points(file, piece, points, mesh);
-    add_triangles(file, piece, polygons, vertices, mesh);
-    add_data(file, piece.child("PointData"), points, vertices, mesh.vertex_data);
-    add_data(file, piece.child("CellData"), polygons, triangles, mesh.triangle_data);
+    add_points(file, piece, points, mesh.vertices);
+    (grid ? add_grid : add_poly_data)(file, piece, vertices, adder);
+    add_point_data(file, piece, points, vertices, mesh.vertex_data);
+    add_cell_data(file, piece, adder.take_polygons_of_cells(), polygons, mesh);
   }
+  adder.add_notes();
   return mesh;
 }
 
@@ -151,15 +215,15 @@ std::set<std::string> data_names(const std::filesystem::path& path) {
 Artefact read_artefact(const std::filesystem::path& path) {
   read_bytes(path);  // throws if there is no such file
   const VtkXmlFile file(path, "PolyData");
-  TriangleMesh points;
+  Artefact artefact;
   for (const VtkElement& piece : file.data().children) {
     if (piece.name != "Piece") continue;
-    const std::size_t before = points.vertices.size();
+    const std::size_t before = artefact.points.size();
     const std::size_t count = file.count(piece, "NumberOfPoints");
-    add_points(file, piece, count, points);
-    add_data(file, piece.child("PointData"), count, before, points.vertex_data);
+    add_points(file, piece, count, artefact.points);
+    add_point_data(file, piece, count, before, artefact.data);
   }
-  return {std::move(points.vertices), std::move(points.vertex_data)};
+  return artefact;
 }
 
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #include "isobench/metrics/distance/distance.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
@@ -63,7 +64,36 @@ std::vector<std::uint32_t> used_vertices(const TriangleMesh& mesh) {
   return vertices;
 }
 
+Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const std::uint32_t v : used_vertices(mesh)) box.extend(mesh.vertices[v]);
+  return box;
+}
+
+Eigen::AlignedBox3d box_of(const Isosurface& surface) { return {Eigen::Vector3d::Zero(), surface.extent()}; }
+
 }  // namespace
+
+bool is_elsewhere(const TriangleMesh& mesh, const Isosurface& surface, const DistanceFigures& figures) {
+  const Eigen::AlignedBox3d box = box_of(mesh);
+  return figures.mean > box.diagonal().norm() || !box.intersects(box_of(surface));
+}
+
+std::string hint_of_boxes(const TriangleMesh& mesh, const Isosurface& surface) {
+  const Eigen::AlignedBox3d box = box_of(mesh);
+  if (box.isEmpty()) return "";
+  const Eigen::AlignedBox3d volume = box_of(surface);
+  const double length = box.diagonal().norm(), volume_length = volume.diagonal().norm();
+  const std::string lengths = fmt::format(
+      "; the diagonal of its bounding box is {:.3g} mm, and that of the volume {:.3g} mm", length, volume_length);
+  // An object fills from a tenth to all of its volume: a factor of 1000 is between 100 and 10,000 of the diagonals.
+  if (length * 300.0 < volume_length) return lengths + ": is the mesh in metres? Lengths must be in mm";
+  if (volume_length * 100.0 < length) return lengths + ": is the mesh in micrometres? Lengths must be in mm";
+  if (!box.intersects(volume)) {
+    return "; its bounding box lies outside of the volume: is it in another frame (LPS or RAS, another origin)?";
+  }
+  return "";
+}
 
 DistanceFigures measure_distance(const TriangleMesh& mesh, const MeshEdges& edges, const Isosurface& surface,
                                  std::vector<double>* at_vertices) {
@@ -79,7 +109,9 @@ DistanceFigures measure_distance(const TriangleMesh& mesh, const MeshEdges& edge
 
   DistanceFigures figures;
   figures.unprojected = of_edges.count_unprojected() + of_centroids.count_unprojected();
+  figures.points = edges.ends.size() + mesh.triangles.size();
   for (const std::uint32_t v : used_vertices(mesh)) {
+    ++figures.points;
     figures.vertex_max = std::max(figures.vertex_max, of_vertices.mm[v]);
     figures.unprojected += of_vertices.unprojected[v];
   }

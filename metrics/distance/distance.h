@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
@@ -19,8 +20,19 @@ struct DistanceFigures {
   double vertex_max = 0.0;  ///< mm, of vertices that have a triangle
   double mean_voxels = 0.0;
   double max_voxels = 0.0;
+  std::size_t points = 0;       ///< at which the distance was taken
   std::size_t unprojected = 0;  ///< points from which Newton's steps did not reach the surface; |f|/|∇f| is taken there
+  /// False if no point could be projected: the other figures then say nothing of the surface.
+  bool any_projected() const { return unprojected < points; }
 };
+
+/// Whether the mesh can be none of this surface: it is farther away than it is long, or its bounding box lies outside
+/// of the volume.
+bool is_elsewhere(const TriangleMesh& mesh, const Isosurface& surface, const DistanceFigures& figures);
+
+/// Why a mesh may not be where its surface is: the boxes of mesh and volume differ in size as metres and mm do, or they
+/// lie apart. A clause that begins with "; "; "" if the boxes do not tell.
+std::string hint_of_boxes(const TriangleMesh& mesh, const Isosurface& surface);
 
 /// If `at_vertices` is given, it receives one distance a vertex, in mm.
 /// Cost: one projection for each vertex, edge and triangle, with all threads.

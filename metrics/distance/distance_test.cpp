@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "isobench/foundation/monitor.h"
 #include "isobench/methods/mesh/sample_meshes.h"
+#include "isobench/metrics/measurement.h"
 #include "isobench/metrics/test_surfaces.h"
 
 namespace isobench {
@@ -83,6 +85,72 @@ TEST(Distance, FarPointsAreCountedAndFinite) {
   EXPECT_GT(figures.unprojected, 0U);
   EXPECT_TRUE(std::isfinite(figures.max));
   EXPECT_GT(figures.max, 1.0);
+}
+
+/// The notes of a measurement, which must say nothing of the distance.
+std::string notes_without_distance(TriangleMesh mesh) {
+  Monitor monitor;
+  const Isosurface surface = ball();
+  const Measurement measured = measure(mesh, MeasuredAgainst{&surface, nullptr}, monitor);
+  for (const char* figure : {"distance_mean", "distance_max", "distance_vertex_max", "distance_max_voxels",
+                             "normal_angle_mean", "curvature_max", "gradient_max"}) {
+    EXPECT_FALSE(measured.figure(figure)) << figure;
+  }
+  EXPECT_GT(measured.number("distance_unprojected"), 0.0);
+  EXPECT_FALSE(mesh.vertex_data.contains("distance"));
+  std::string notes;
+  for (const std::string& note : monitor.notes()) notes += note + '\n';
+  return notes;
+}
+
+TEST(Distance, IsNotMeasuredIfNoPointReachesTheSurface) {
+  TriangleMesh metres = sphere(12.0, 20);
+  EXPECT_TRUE(distances_of(metres, ball()).any_projected());
+  for (Eigen::Vector3d& x : metres.vertices) x *= 1e-3;
+  const DistanceFigures figures = distances_of(metres, ball());
+  EXPECT_EQ(figures.unprojected, figures.points);
+  EXPECT_FALSE(figures.any_projected());
+  const std::string of_metres = notes_without_distance(metres);
+  EXPECT_NE(of_metres.find("distances could not be measured"), std::string::npos) << of_metres;
+  EXPECT_NE(of_metres.find("is the mesh in metres? Lengths must be in mm"), std::string::npos) << of_metres;
+
+  TriangleMesh micrometres = sphere(12.0, 20);
+  for (Eigen::Vector3d& x : micrometres.vertices) x *= 1e3;
+  EXPECT_NE(notes_without_distance(micrometres).find("is the mesh in micrometres?"), std::string::npos);
+
+  TriangleMesh elsewhere = sphere(12.0, 20);
+  for (Eigen::Vector3d& x : elsewhere.vertices) x.x() += 200.0;
+  Monitor monitor;
+  const Isosurface surface = ball();
+  // Newton's steps reach the surface from there, so there is a distance.
+  EXPECT_GT(measure(elsewhere, MeasuredAgainst{&surface, nullptr}, monitor).number("distance_mean"), 150.0);
+  ASSERT_EQ(monitor.notes().size(), 1U);
+  EXPECT_NE(monitor.notes()[0].find("the mesh is far from the surface; its bounding box lies outside of the volume"),
+            std::string::npos);
+  // So do those from the volume's middle, but not from its very centre, where a mesh in metres may lie.
+  TriangleMesh inner = sphere(12.0, 20);
+  for (Eigen::Vector3d& x : inner.vertices) x = Eigen::Vector3d(20, 20, 25) + 1e-3 * (x - Eigen::Vector3d(20, 20, 20));
+  measure(inner, MeasuredAgainst{&surface, nullptr}, monitor);
+  ASSERT_EQ(monitor.notes().size(), 2U);
+  EXPECT_NE(monitor.notes()[1].find("the mesh is far from the surface; the diagonal"), std::string::npos);
+  EXPECT_NE(monitor.notes()[1].find("is the mesh in metres?"), std::string::npos);
+}
+
+TEST(Distance, ANoteSaysIfItIsAnEstimateInPart) {
+  const auto notes = [](TriangleMesh mesh) {
+    Monitor monitor;
+    const Isosurface surface = ball();
+    const Measurement measured = measure(mesh, MeasuredAgainst{&surface, nullptr}, monitor);
+    EXPECT_TRUE(measured.figure("distance_mean"));
+    return monitor.notes();
+  };
+  TriangleMesh inner = sphere(1.0, 20);
+  for (Eigen::Vector3d& x : inner.vertices) x -= Eigen::Vector3d(19, 19, 19);  // in the lattice's corner, out of reach
+  EXPECT_TRUE(notes(sphere(12.2, 20)).empty());
+  const std::vector<std::string> found = notes(sample_meshes::together(sphere(12.2, 20), inner));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].find("distances are estimates in part: Newton's steps do not reach the surface from "), 0U)
+      << found[0];
 }
 
 TEST(Distance, SameBitsForAnyNumberOfThreads) {

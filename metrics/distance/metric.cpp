@@ -1,28 +1,55 @@
+#include <fmt/format.h>
+
 #include "isobench/metrics/distance/distance.h"
 #include "isobench/metrics/metric_input.h"
 
 namespace isobench {
 namespace {
 
+/// Says why distances are not what they seem. A point in a hundred may be missed by a good mesh of a rough surface.
+void note_unprojected(MetricInput& input, const DistanceFigures& figures) {
+  const std::string hint = hint_of_boxes(input.mesh(), input.surface());
+  if (!figures.any_projected()) {
+    input.monitor().note(
+        fmt::format("distances could not be measured: Newton's steps reach the surface from none of the "
+                    "mesh's {} points{}",
+                    figures.points, hint));
+  } else if (figures.unprojected * 100 > figures.points) {
+    input.monitor().note(
+        fmt::format("distances are estimates in part: Newton's steps do not reach the surface from {} of "
+                    "the mesh's {} points{}",
+                    figures.unprojected, figures.points, hint));
+  } else if (is_elsewhere(input.mesh(), input.surface(), figures)) {
+    input.monitor().note("the mesh is far from the surface" + hint);
+  }
+}
+
 void measure(MetricInput& input, MetricOutput& output) {
   std::vector<double> at_vertices;
   const DistanceFigures figures = measure_distance(input.mesh(), input.edges(), input.surface(), &at_vertices);
+  output.set("distance_unprojected", static_cast<double>(figures.unprojected));
+  note_unprojected(input, figures);
+  if (!figures.any_projected()) return;
   output.set("distance_mean", figures.mean);
   output.set("distance_max", figures.max);
   output.set("distance_vertex_max", figures.vertex_max);
   output.set("distance_mean_voxels", figures.mean_voxels);
   output.set("distance_max_voxels", figures.max_voxels);
-  output.set("distance_unprojected", static_cast<double>(figures.unprojected));
   output.add_vertex_data("distance", std::move(at_vertices));
 }
 
 FigureDeclaration distance(const std::string& name, const std::string& unit, const std::string& definition,
                            int column) {
-  return {.name = name, .unit = unit, .definition = definition, .better = Better::smaller, .column = column};
+  return {.name = name,
+          .unit = unit,
+          .definition = definition,
+          .better = Better::smaller,
+          .unmeasured = "no point of the mesh could be projected to the surface",
+          .column = column};
 }
 
 FigureDeclaration mean(FigureDeclaration figure) {
-  figure.unmeasured = "the mesh has no area";
+  figure.unmeasured = "the mesh has no area or no point of it could be projected to the surface";
   return figure;
 }
 

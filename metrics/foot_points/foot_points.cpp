@@ -2,6 +2,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <optional>
+
 namespace isobench {
 
 double FootPoint::mean_curvature() const {
@@ -17,11 +20,17 @@ std::vector<FootPoint> foot_points(const Isosurface& surface, const std::vector<
   std::vector<FootPoint> feet(points.size());
   tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t n) {
     FootPoint& foot = feet[n];
-    foot.x = surface.project(points[n], tolerance, max_steps).value_or(points[n]);
+    const std::optional<Eigen::Vector3d> on_surface = surface.project(points[n], tolerance, max_steps);
+    foot.projected = on_surface.has_value();
+    foot.x = on_surface.value_or(points[n]);
     foot.jet = surface.jet(foot.x);
     foot.exists = foot.jet.gradient.norm() > 0.0;
   });
   return feet;
+}
+
+bool any_projected(const std::vector<FootPoint>& feet) {
+  return std::any_of(feet.begin(), feet.end(), [](const FootPoint& foot) { return foot.projected; });
 }
 
 std::vector<Eigen::Vector3d> centroids(const TriangleMesh& mesh) {

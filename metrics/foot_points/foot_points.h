@@ -13,6 +13,7 @@ struct FootPoint {
   Eigen::Vector3d x = Eigen::Vector3d::Zero();  ///< mm, in the surface's lattice frame
   Jet jet;                                      ///< of f at x
   bool exists = false;                          ///< false where the gradient vanishes
+  bool projected = false;                       ///< whether x is on the surface
 
   Eigen::Vector3d normal() const { return outward_normal(jet.gradient); }
   /// (κ1 + κ2)/2 of the surface through x, 1/mm, positive where the object is convex.
@@ -22,6 +23,9 @@ struct FootPoint {
 /// Newton's steps along the gradient go to the surface. If they do not reach it, the level set through the point itself
 /// stands for it. One projection and one jet a point, all threads.
 std::vector<FootPoint> foot_points(const Isosurface& surface, const std::vector<Eigen::Vector3d>& points);
+
+/// False if the surface is out of reach of all points: what is measured at their feet then says nothing of it.
+bool any_projected(const std::vector<FootPoint>& feet);
 
 /// Of each triangle of a mesh.
 std::vector<Eigen::Vector3d> centroids(const TriangleMesh& mesh);

@@ -8,6 +8,7 @@ void measure(MetricInput& input, MetricOutput& output) {
   const FiniteElements& elements = input.finite_elements();
   if (!elements.regular) return;
   const std::vector<FootPoint> feet = foot_points(input.surface(), input.mesh().vertices);
+  if (!any_projected(feet)) return;
   output.set("curvature_max", curvature_error(elements, input.mesh(), feet));
 }
 
@@ -26,7 +27,8 @@ Metric metric_mean_curvature() {
            "the normal of F = c at the vertex's projection; over the root mean square of the mean curvature. "
            "Vertices at open edges do not count.",
        .better = Better::smaller,
-       .unmeasured = std::string(no_stiffness) + ", or the surface is flat"}};
+       .unmeasured =
+           std::string(no_stiffness) + ", no point of it could be projected to the surface, or that is flat"}};
   metric.measure = measure;
   return metric;
 }

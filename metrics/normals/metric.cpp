@@ -12,6 +12,7 @@ namespace {
 void measure(MetricInput& input, MetricOutput& output) {
   const TriangleMesh& mesh = input.mesh();
   const std::vector<FootPoint> feet = foot_points(input.surface(), centroids(mesh));
+  if (!any_projected(feet)) return;
   double area = 0.0;
   double sum = 0.0;
   double largest = 0.0;
@@ -50,7 +51,7 @@ Metric metric_normals() {
                      "without area do not count."}};
   for (FigureDeclaration& figure : metric.figures) {
     figure.better = Better::smaller;
-    figure.unmeasured = "the mesh has no area";
+    figure.unmeasured = "the mesh has no area or no point of it could be projected to the surface";
   }
   metric.measure = measure;
   return metric;

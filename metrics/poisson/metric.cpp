@@ -12,6 +12,7 @@ void measure(MetricInput& input, MetricOutput& output) {
   const FiniteElements& elements = input.finite_elements();
   if (!elements.regular) return;
   const std::vector<FootPoint> feet = foot_points(input.surface(), input.mesh().vertices);
+  if (!any_projected(feet)) return;
   if (auto errors =
           gradient_errors(elements, input.mesh(), feet, foot_points(input.surface(), centroids(input.mesh())))) {
     output.set("gradient_max", errors->max);
@@ -67,8 +68,9 @@ std::vector<FieldDeclaration> fields() {
 }  // namespace
 
 Metric metric_poisson() {
-  const std::string unless =
-      std::string(no_stiffness) + ", it is not closed, an edge has more than two triangles, or slivers leave no digits";
+  const std::string unless = std::string(no_stiffness) +
+                             ", it is not closed, an edge has more than two triangles, slivers leave no digits, or no "
+                             "point of it could be projected to the surface";
   Metric metric;
   metric.name = "poisson";
   metric.when = When::on_request;
@@ -90,7 +92,7 @@ Metric metric_poisson() {
        .definition = "Largest error of the gradient in a triangle, if the u of poisson_max is interpolated between its "
                      "values at the corners' projections: to the gradient of u along F = c at the projection of the "
                      "triangle's centroid, over its root mean square.",
-       .unmeasured = no_stiffness}};
+       .unmeasured = std::string(no_stiffness) + ", or no point of it could be projected to the surface"}};
   for (FigureDeclaration& figure : metric.figures) figure.better = Better::smaller;
   metric.fields = fields();
   metric.measure = measure;

@@ -72,7 +72,7 @@ std::string topology_line(const Measurement& m) {
 }
 
 std::string distance_line(const Measurement& m) {
-  if (!has_surface(m)) return not_measured(m, "distance_mean");
+  if (!m.figure("distance_max")) return not_measured(m, "distance_max");
   return "mean " + value_text(m, "distance_mean", 4) + ", max " + value_text(m, "distance_max", 4);
 }
 
