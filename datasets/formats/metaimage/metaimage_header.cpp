@@ -126,10 +126,12 @@ MetaImageHeader read_metaimage_header(ByteReader& reader) {
     if (equals == std::string::npos || line.find('\0') != std::string::npos) break;
     const std::string key = lower_case(trimmed(line.substr(0, equals)));
     const std::string value = trimmed(line.substr(equals + 1));
-    if (!header.fields.emplace(key, value).second && key != "comment") {
-      throw DataError(fmt::format("{}: its header has the key '{}' twice; correct the header", header.path.string(),
-                                  trimmed(line.substr(0, equals)).substr(0, 60)));
+    const auto [field, is_new] = header.fields.emplace(key, value);
+    if (!is_new && field->second != value && key != "comment") {
+      header.note(fmt::format("its header has the key '{}' twice; '{}' was taken, not '{}'", key.substr(0, 60),
+                              value.substr(0, 60), field->second.substr(0, 60)));
     }
+    field->second = value;
     if (key != "elementdatafile") continue;
     if (is_list(value)) header.list = names_of_list(reader);
     note_misspelt_keys(header);

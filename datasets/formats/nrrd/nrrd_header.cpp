@@ -50,20 +50,30 @@ constexpr std::pair<std::string_view, std::string_view> nrrd_fields[] = {
     {"measurementframe", ""},
 };
 
-/// Adds the field to the header. A field that the format does not have is most likely misspelt.
-void add_field(NrrdHeader& header, const std::string& name, const std::string& value) {
+using NrrdField = std::pair<std::string_view, std::string_view>;
+
+/// The field with this name, which may be written in either case and with blanks; nullptr if the format has none.
+const NrrdField* field_named(const std::string& name) {
   std::string key = lower_case(trimmed(name));
   key.erase(std::remove(key.begin(), key.end(), ' '), key.end());
-  const auto* const known = std::find_if(std::begin(nrrd_fields), std::end(nrrd_fields),
-                                         [&](const auto& field) { return key == field.first || key == field.second; });
-  if (known == std::end(nrrd_fields)) {
-    std::vector<std::string> names;
-    for (const auto& field : nrrd_fields) names.emplace_back(field.first);
-    const std::string nearest = nearest_name(key, names);
-    header.note(fmt::format("its header's field '{}' is not known and was not used{}", trimmed(name).substr(0, 60),
-                            nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
-    return;
-  }
+  const auto* const known = std::find_if(std::begin(nrrd_fields), std::end(nrrd_fields), [&](const NrrdField& field) {
+    return key == field.first || (!key.empty() && key == field.second);
+  });
+  return known == std::end(nrrd_fields) ? nullptr : known;
+}
+
+/// A field that the format does not have is most likely misspelt.
+void note_unknown_field(NrrdHeader& header, const std::string& name) {
+  std::vector<std::string> names;
+  for (const NrrdField& field : nrrd_fields) names.emplace_back(field.first);
+  const std::string nearest = nearest_name(lower_case(trimmed(name)), names);
+  header.note(fmt::format("its header's field '{}' is not known and was not used{}", trimmed(name).substr(0, 60),
+                          nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+}
+
+void add_field(NrrdHeader& header, const std::string& name, const std::string& value) {
+  const NrrdField* const known = field_named(name);
+  if (known == nullptr) return note_unknown_field(header, name);
   if (!header.fields.emplace(known->first, trimmed(value)).second) {
     throw DataError(fmt::format("{}: its header has the field '{}' twice; correct the header", header.path.string(),
                                 trimmed(name)));
@@ -93,10 +103,10 @@ void add_line(NrrdHeader& header, const std::string& line) {
         fmt::format("{}: '{}' in its header is neither a field nor a comment; an empty line must end the header",
                     header.path.string(), line.substr(0, 60)));
   }
-  // A field has ": "; a pair has ":=", and other colons may stand before it.
+  // Keys of pairs may have colons, too, so a field is known by its name.
   const std::size_t equals = line.find(":=");
-  const std::size_t blank = line.find(": ");
-  if (equals < blank)
+  const bool is_field = equals != colon && field_named(line.substr(0, colon)) != nullptr;
+  if (equals != std::string::npos && !is_field)
     header.pairs[without_escapes(line.substr(0, equals))] = without_escapes(line.substr(equals + 2));
   else
     add_field(header, line.substr(0, colon), line.substr(colon + 1));
