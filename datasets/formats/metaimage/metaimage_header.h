@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "isobench/datasets/formats/reading/byte_reader.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 
@@ -25,7 +26,8 @@ struct MetaImageHeader {
   /// Throws DataError unless the value has exactly `count` numbers.
   std::vector<double> numbers(std::initializer_list<const char*> keys, std::size_t count,
                               const std::vector<double>& otherwise) const;
-  void note(const std::string& sentence) { notes.push_back(path.string() + ": " + sentence); }
+  /// Adds a note, made printable() because it may quote the file.
+  void note(const std::string& sentence) { notes.push_back(printable(path.string() + ": " + sentence)); }
 };
 
 /// Reads the header up to the line of ElementDataFile, which is the last by definition, or to the list that follows it.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isobench/datasets/formats/reading/byte_reader.h"
+#include "isobench/foundation/error.h"
 
 namespace isobench {
 
@@ -25,7 +26,8 @@ struct NrrdHeader {
   /// The words of a field, for example of `kinds`, or its texts in quotation marks, for example of `units`; none if the
   /// field is missing. Throws DataError unless there are exactly `count`.
   std::vector<std::string> words(const std::string& key, std::size_t count) const;
-  void note(const std::string& sentence) { notes.push_back(path.string() + ": " + sentence); }
+  /// Adds a note, made printable() because it may quote the file.
+  void note(const std::string& sentence) { notes.push_back(printable(path.string() + ": " + sentence)); }
 };
 
 /// Reads the header up to the empty line that ends it, or to the list of data files and its end. Throws DataError

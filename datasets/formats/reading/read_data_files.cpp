@@ -120,8 +120,8 @@ class DataFilesReader {
     }
     if (is_noted_) return;
     is_noted_ = true;
-    notes_.push_back(fmt::format("{}: {} byte{} after its samples in '{}' {} left out", data_.header.string(), surplus,
-                                 surplus == 1 ? "" : "s", name, surplus == 1 ? "was" : "were"));
+    notes_.push_back(printable(fmt::format("{}: {} byte{} after its samples in '{}' {} left out", data_.header.string(),
+                                           surplus, surplus == 1 ? "" : "s", name, surplus == 1 ? "was" : "were")));
   }
 
   const VolumeData& data_;
