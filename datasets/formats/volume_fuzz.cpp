@@ -4,17 +4,22 @@
 
 #include "isobench/datasets/formats/read_volume.h"
 #include "isobench/foundation/testing/fuzz_target.h"
+#include "isobench/foundation/testing/test_files.h"
 
 namespace isobench {
 
 namespace {
 
+/// By how much files can be compressed.
+constexpr std::size_t most_deflation = 1032;
+constexpr std::size_t most_bzip2 = std::size_t{1} << 20U;
+
 /// What must hold for every volume that was read. In particular, it has no more samples than the file can hold.
-void check_volume(const Volume& volume, std::size_t file_bytes) {
+void check_volume(const Volume& volume, std::size_t file_bytes, std::size_t factor = most_deflation) {
   const Lattice& lattice = volume.lattice;
   require(*std::min_element(lattice.size.begin(), lattice.size.end()) >= 1, "a volume has nodes");
   require(volume.samples.size() == lattice.nodes(), "a volume has one sample a node");
-  require(volume.samples.size() <= 1032 * file_bytes, "a file has no more samples than bytes, but for compression");
+  require(volume.samples.size() <= factor * file_bytes, "a file has no more samples than bytes, but for compression");
   require((lattice.spacing.array() > 0.0).all() && lattice.spacing.allFinite(), "spacings are positive");
   require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
 }
@@ -26,6 +31,33 @@ bool read(const std::string& name, std::string_view bytes) {
   });
 }
 
+/// Reads with each of several choices; files with vectors, series or segments need one. Returns whether one was
+/// accepted.
+bool read_with_choices(const std::string& name, std::string_view bytes) {
+  std::vector<VolumeChoice> choices(4);
+  choices[1].step = 1;
+  choices[2].component = 1;
+  choices[3].step = 0;
+  choices[3].component = 0;
+  if (name.ends_with(".nrrd")) {
+    for (const char* segment : {"layer 1", "Segment_1", "2"}) choices.emplace_back().segment = segment;
+  }
+  const std::filesystem::path path = fuzz_file(name, bytes);
+  const bool has_bzip2 = bytes.find("bz") != std::string_view::npos;
+  bool accepted = false;
+  for (const VolumeChoice& choice : choices) {
+    accepted = accepts([&] {
+                 const VolumeFile file = read_volume(path, choice);
+                 check_volume(file.volume, bytes.size(), has_bzip2 ? most_bzip2 : most_deflation);
+                 for (const std::string& note : file.notes)
+                   require(note.starts_with(path.string() + ": "), "a note names the file");
+                 return true;
+               }) ||
+               accepted;
+  }
+  return accepted;
+}
+
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
 /// Writes the data files that headers in the corpus name.
@@ -35,6 +67,9 @@ void write_data_files() {
     std::string numbers = "a line\n; ";
     for (int n = 0; n < 64; ++n) numbers += std::to_string(n) + " ";
     fuzz_file("data.txt", numbers);
+    for (int n = 0; n < 8; ++n) fuzz_file("s" + std::to_string(n), std::string(16, '\x05'));
+    // Ten bytes of a header, then 64 samples.
+    fuzz_file("data.gz", deflated("0123456789" + std::string(64, '\x03'), true));
     return true;
   }();
   static_cast<void>(once);
@@ -44,12 +79,12 @@ void write_data_files() {
 
 bool fuzz_nrrd(std::string_view bytes) {
   write_data_files();
-  return read("volume.nrrd", bytes);
+  return read_with_choices("volume.nrrd", bytes);
 }
 
 bool fuzz_metaimage(std::string_view bytes) {
   write_data_files();
-  return read("volume.mha", bytes);
+  return read_with_choices("volume.mha", bytes);
 }
 
 bool fuzz_inrimage(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.inr.gz" : "volume.inr", bytes); }

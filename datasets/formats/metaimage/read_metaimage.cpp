@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
-#include "isobench/datasets/formats/reading/header_values.h"
-#include "isobench/datasets/formats/reading/read_samples.h"
+#include "isobench/datasets/formats/metaimage/metaimage_header.h"
+#include "isobench/datasets/formats/metaimage/metaimage_lattice.h"
+#include "isobench/datasets/formats/reading/read_data_files.h"
 #include "isobench/datasets/formats/reading/sample_data.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/text.h"
@@ -17,112 +19,89 @@ namespace isobench {
 
 namespace {
 
-class Header {
- public:
-  explicit Header(ByteReader& reader) : path_(reader.path()) {
-    std::string line;
-    while (reader.read_line(line)) {
-      const std::size_t equals = line.find('=');
-      if (equals == std::string::npos || line.find('\0') != std::string::npos) break;
-      const std::string key = trimmed(line.substr(0, equals));
-      fields_[key] = trimmed(line.substr(equals + 1));
-      if (key == "ElementDataFile") return;  // the last field by definition; plain data may follow
-    }
-    if (!fields_.contains("ObjectType") && !fields_.contains("NDims")) {
-      throw DataError(path_.string() + ": not a MetaImage file; give it the ending of its own format");
-    }
-    throw DataError(path_.string() + ": truncated: its header has no ElementDataFile; copy or export it again");
-  }
+/// MET_UCHAR_ARRAY says no more than MET_UCHAR with several channels. The format gives a MET_LONG four bytes, whatever
+/// a machine's long has.
+SampleType type_of(const MetaImageHeader& header) {
+  const std::string stated = header.text({"ElementType"}, "");
+  std::string name;
+  for (const char c : stated) name.push_back(c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c);
+  const std::string array = "_ARRAY";
+  if (name.ends_with(array)) name.resize(name.size() - array.size());
+  if (name == "MET_LONG") return SampleType::i32;
+  if (name == "MET_ULONG") return SampleType::u32;
+  const auto type = name.starts_with("MET_") ? sample_type(name) : std::nullopt;
+  if (type) return *type;
+  throw DataError(fmt::format("{}: its ElementType '{}' cannot be read; export it as a scalar type such as MET_FLOAT",
+                              header.path.string(), stated.substr(0, 60)));
+}
 
-  std::string text(std::initializer_list<const char*> keys, const std::string& otherwise) const {
-    for (const char* key : keys) {
-      if (fields_.contains(key)) return fields_.at(key);
-    }
-    return otherwise;
+DataLayout layout_of(const MetaImageHeader& header) {
+  constexpr double most_skipped = 1e15;
+  DataLayout layout;
+  layout.is_text = !header.flag({"BinaryData"}, true);
+  layout.order =
+      header.flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false) ? ByteOrder::big : ByteOrder::little;
+  if (header.flag({"CompressedData"}, false)) layout.encoding = Encoding::deflated;
+  const double skip = header.numbers({"HeaderSize"}, 1, {0.0}).front();
+  if (!(skip >= -1.0 && skip <= most_skipped && skip == std::floor(skip))) {
+    throw DataError(fmt::format("{}: its HeaderSize '{}' is neither -1 nor a number of bytes; correct its header",
+                                header.path.string(), header.text({"HeaderSize"}, "").substr(0, 60)));
   }
-  bool flag(std::initializer_list<const char*> keys, bool otherwise) const {
-    const std::string value = text(keys, otherwise ? "True" : "False");
-    return value == "True" || value == "true" || value == "T" || value == "1";
-  }
-  std::vector<double> numbers(std::initializer_list<const char*> keys, std::size_t count,
-                              const std::string& otherwise) const {
-    return numbers_in(text(keys, otherwise), count, path_, *keys.begin());
-  }
+  if (skip < 0.0 && layout.is_text)
+    throw DataError(header.path.string() + ": a HeaderSize of -1 is not possible for text; correct its header");
+  layout.is_at_end = skip < 0.0;
+  layout.packed = static_cast<std::uintmax_t>(std::max(skip, 0.0));
+  layout.begin_is_stated = header.has("HeaderSize");
+  layout.at_begin = "HeaderSize = 0";
+  layout.at_end = "HeaderSize = -1";
+  return layout;
+}
 
- private:
-  std::filesystem::path path_;
-  std::map<std::string, std::string> fields_;
-};
-
-Lattice lattice_of(const Header& header, const std::filesystem::path& path) {
-  if (header.numbers({"NDims"}, 1, "3").front() != 3.0)
-    throw DataError(path.string() + ": its NDims is not 3; give a 3-D volume");
-  if (header.numbers({"ElementNumberOfChannels"}, 1, "1").front() != 1.0) {
-    throw DataError(path.string() + ": its samples are vectors; give a scalar volume");
+/// `axes` may begin with components, which are in every file, and which DimSize does not count.
+VolumeData files_of(const MetaImageHeader& header, std::uintmax_t attached, const std::vector<ArrayAxis>& axes) {
+  const std::string names = header.text({"ElementDataFile"}, "");
+  if (lower_case(names) == "local") return {header.path, true, {{header.path, attached}}, axes.size()};
+  const std::size_t components = axes.front().kind == AxisKind::component ? 1 : 0;
+  std::vector<long long> sizes;
+  for (const ArrayAxis& axis : axes) sizes.push_back(axis.size);
+  const auto parts_of = [&](std::size_t files, long long dimension) {
+    const FileParts parts{files, static_cast<std::size_t>(dimension) + components};
+    check_parts(parts, sizes, header.path);
+    return parts.axes;
+  };
+  const auto slowest = static_cast<long long>(axes.size() - components - 1);
+  if (!header.list.empty()) {
+    std::string text = names;
+    if (text.ends_with("D") || text.ends_with("d")) text.pop_back();  // LIST 2D
+    const std::vector<long long> numbers = numbers_at_end(text, 1).numbers;
+    const std::size_t each = parts_of(header.list.size(), numbers.empty() ? slowest : numbers.front());
+    return {header.path, false, files_of_list(header.list, header.path), each};
   }
-  const std::vector<double> dims = header.numbers({"DimSize"}, 3, "");
-  std::array<long long, 3> size{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    size[axis] = dims[axis] >= 1.0 && dims[axis] < 1e9 ? std::llround(dims[axis]) : 0;
-  const double unit = unit_in_mm(header.text({"DistanceUnits"}, "mm"), path);
-  // ElementSize, the extent of a sample, takes the place of a missing distance between samples.
-  const std::vector<double> spacing = header.numbers({"ElementSpacing", "ElementSize"}, 3, "1 1 1");
-  const std::vector<double> origin = header.numbers({"Offset", "Position", "Origin"}, 3, "0 0 0");
-  // The file has row after row. A row is the world direction of one axis, which is a column here.
-  const std::vector<double> matrix =
-      header.numbers({"TransformMatrix", "Rotation", "Orientation"}, 9, "1 0 0 0 1 0 0 0 1");
-  return make_lattice(path, size, unit * Eigen::Vector3d(spacing.data()),
-                      Eigen::Map<const Eigen::Matrix3d>(matrix.data()), unit * Eigen::Vector3d(origin.data()), "LPS");
+  if (names.find('%') == std::string::npos)
+    return {header.path, false, {{data_file_beside(header.path, names)}}, axes.size()};
+  const TextAndNumbers pattern = numbers_at_end(names, 3);
+  const std::vector<long long>& numbers = pattern.numbers;
+  const FilePattern files =
+      file_pattern(pattern.text, !numbers.empty() ? numbers[0] : 1, numbers.size() > 1 ? numbers[1] : axes.back().size,
+                   numbers.size() > 2 ? numbers[2] : 1, header.path);
+  const std::size_t each = parts_of(files.count(), slowest);
+  return {header.path, false, files_of_pattern(files, header.path), each};
 }
 
 }  // namespace
 
-VolumeFile read_metaimage(const std::filesystem::path& path, const VolumeChoice& /*choice*/) {
+VolumeFile read_metaimage(const std::filesystem::path& path, const VolumeChoice& choice) {
   ByteReader reader(path, Encoding::plain);
-  const Header header(reader);
-  Volume volume;
-  volume.lattice = lattice_of(header, path);
-  const std::string type_name = header.text({"ElementType"}, "");
-  const auto type = sample_type(type_name);
-  if (!type)
-    throw DataError(fmt::format("{}: its ElementType '{}' cannot be read; export it as a scalar type such as MET_FLOAT",
-                                path.string(), type_name));
-  const bool big = header.flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false);
-  const bool compressed = header.flag({"CompressedData"}, false);
-  const std::size_t nodes = volume.lattice.nodes();
-  volume.samples = Samples(*type);
-
-  const auto read = [&](ByteReader& data) {
-    if (!header.flag({"BinaryData"}, true)) return read_text_samples(data, nodes, volume.samples);
-    read_samples(data, nodes, big ? ByteOrder::big : ByteOrder::little, volume.samples);
-  };
-  const std::string file = header.text({"ElementDataFile"}, "");
-  const Encoding encoding = compressed ? Encoding::deflated : Encoding::plain;
-  if (file == "LOCAL" || file == "Local" || file == "local") {
-    if (!compressed) {
-      read(reader);
-    } else {
-      ByteReader data(path, encoding, reader.consumed());
-      read(data);
-    }
-    return {std::move(volume), {}};
-  }
-  if (file.empty() || file == "LIST" || file.find('%') != std::string::npos) {
-    throw DataError(path.string() + ": its data are spread over several files; export it as one file");
-  }
-  const double skip = header.numbers({"HeaderSize"}, 1, "0").front();
-  const std::filesystem::path data_path = path.parent_path() / file;
-  const std::uintmax_t bytes = nodes * bytes_of(*type);
-  std::error_code error;
-  std::uintmax_t file_bytes = std::filesystem::file_size(data_path, error);
-  if (error) file_bytes = 0;  // opening the file throws the error
-  // A HeaderSize of -1 means that the data are the last bytes of the file. One beyond the file's end counts as its end.
-  const std::uintmax_t offset = skip >= 0.0
-                                    ? static_cast<std::uintmax_t>(std::min(skip, static_cast<double>(file_bytes)))
-                                    : file_bytes - std::min(bytes, file_bytes);
-  ByteReader data(data_path, encoding, offset);
-  read(data);
-  return {std::move(volume), {}};
+  MetaImageHeader header = read_metaimage_header(reader);
+  VolumeFile file;
+  file.volume.lattice = metaimage_lattice(header);
+  const std::vector<ArrayAxis> axes = metaimage_axes(header);
+  const std::vector<FileAxis> places = choose_places(axes, choice, path);
+  const DataLayout layout = layout_of(header);
+  file.volume.samples = Samples(type_of(header));
+  read_data_files(files_of(header, reader.consumed(), axes), places, layout, file.volume.samples, header.notes);
+  file.notes = std::move(header.notes);
+  return file;
 }
 
 }  // namespace isobench

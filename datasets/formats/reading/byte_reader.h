@@ -14,6 +14,7 @@ enum class Encoding {
   plain,
   deflated,  ///< gzip or zlib; the stream's first bytes tell which
   bzip2,
+  hex,  ///< two hexadecimal digits a byte, as text
 };
 
 /// A file of data, and the byte at which they begin.
@@ -41,8 +42,10 @@ class ByteReader {
   std::uintmax_t skip(std::uintmax_t count);
   /// Reads a compressed stream to its end. Throws DataError if the stream stops before its end mark, if its checksum
   /// does not match, or if more than a mebibyte follows (a few kilobytes can inflate to gigabytes of zeros).
-  /// Does nothing for plain files.
+  /// For plain files, it only sets surplus().
   void finish();
+  /// The bytes that finish() found after what was read.
+  std::uintmax_t surplus() const { return surplus_; }
   /// The most bytes that can still follow: deflate compresses by a factor of at most 1032, bzip2 by about 10^6.
   std::uintmax_t possible_bytes() const;
   /// How many bytes from the file's beginning the caller has read. Precondition: one plain file.
@@ -52,11 +55,12 @@ class ByteReader {
   const std::filesystem::path& path() const { return files_[at_].path; }
 
  private:
-  class Stream;
+  class Stream;  // and the encodings' own: byte_streams.h
   class PlainStream;
+  class HexStream;
+  class CompressedStream;
   class DeflatedStream;
   class Bzip2Stream;
-  std::unique_ptr<Stream> open(const DataFile& file) const;
   std::size_t read_stream(char* bytes, std::size_t count);
   void check_complete() const;
 
@@ -67,6 +71,7 @@ class ByteReader {
   std::uintmax_t later_bytes_ = 0;  // of the files that come after it, as they are on disk
   std::vector<char> lines_;         // bytes that read_line() has read from the file but not returned
   std::size_t lines_begin_ = 0;
+  std::uintmax_t surplus_ = 0;
 };
 
 /// The encoding that a file's first bytes show.

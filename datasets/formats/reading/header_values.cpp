@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,12 @@ Lattice make_lattice(const std::filesystem::path& path, const std::array<long lo
   return lattice;
 }
 
+Eigen::Matrix3d steps_of_slice(const Eigen::Vector3d& i, const Eigen::Vector3d& j) {
+  Eigen::Matrix3d steps;
+  steps << i, j, i.cross(j).normalized() * std::sqrt(i.norm() * j.norm());
+  return steps;
+}
+
 long long size_in(double number) {
   const bool is_size = number >= 1.0 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
   return is_size ? static_cast<long long>(number) : 0;
@@ -81,6 +88,13 @@ std::vector<double> numbers_in(const std::string& text, std::size_t count, const
                                 what, text.substr(0, 60), count, count == 1 ? "" : "s", count == 1 ? "is" : "are"));
   }
   return numbers;
+}
+
+bool is_number(const std::string& text) {
+  const std::string word = trimmed(text);
+  char* end = nullptr;
+  std::strtod(word.c_str(), &end);
+  return !word.empty() && end == word.c_str() + word.size();
 }
 
 double unit_in_mm(const std::string& unit, const std::filesystem::path& path) {

@@ -16,6 +16,10 @@ Lattice make_lattice(const std::filesystem::path& path, const std::array<long lo
                      const Eigen::Vector3d& spacing, const Eigen::Matrix3d& direction, const Eigen::Vector3d& origin,
                      const std::string& space);
 
+/// The steps from node to node of a 2-D image that is taken as one slice. The third is perpendicular to the two that
+/// are given, and its length is their geometric mean, because the file has none.
+Eigen::Matrix3d steps_of_slice(const Eigen::Vector3d& i, const Eigen::Vector3d& j);
+
 /// A number of nodes or steps as a header states it; 0, which make_lattice() refuses, unless it is a whole number from
 /// 1 to 2^31 - 1.
 long long size_in(double number);
@@ -27,6 +31,9 @@ std::vector<double> all_numbers_in(const std::string& text, const std::filesyste
 /// The same; throws DataError, too, if there are not exactly `count` of them.
 std::vector<double> numbers_in(const std::string& text, std::size_t count, const std::filesystem::path& path,
                                const std::string& what);
+
+/// Whether the text is a number. Blanks may stand around it.
+bool is_number(const std::string& text);
 
 /// How many mm a unit of length has, in the spellings that files have: "mm", "millimeter", "µm" with either of the two
 /// signs for mu, "m" and so on; "", "?" and "pixel" count as mm. Throws DataError for any other unit.

@@ -98,12 +98,18 @@ void read_short_runs(ByteReader& reader, Runs runs, ByteOrder order, std::vector
   }
 }
 
+/// This takes only addresses, no memory yet: a compressed file's header may state a thousand times what it holds.
+template <class T>
+void reserve_values(std::vector<T>& samples, std::size_t count, Encoding encoding) {
+  constexpr std::size_t most = (std::size_t{1} << 30U) / sizeof(T);
+  samples.reserve(samples.size() + (encoding == Encoding::bzip2 ? std::min(count, most) : count));
+}
+
 template <class T>
 void read_binary(ByteReader& reader, const Runs& runs, ByteOrder order, std::vector<T>& samples) {
   const std::uintmax_t possible = reader.possible_bytes() / sizeof(T);
   if (possible < runs.samples()) throw_truncated(reader.path(), static_cast<std::size_t>(possible), runs.samples());
-  // This takes only addresses, no memory yet: a compressed file's header may state a thousand times what it holds.
-  samples.reserve(samples.size() + runs.kept());
+  reserve_values(samples, runs.kept(), reader.encoding());
   if (runs.length() * sizeof(T) >= chunk_bytes / 16)
     read_long_runs(reader, runs, order, samples);
   else
@@ -125,7 +131,7 @@ template <class T>
 void read_text(ByteReader& reader, Runs runs, std::vector<T>& samples) {
   const std::uintmax_t possible = reader.possible_bytes() / 2 + 1;  // a digit and a blank each
   if (possible < runs.samples()) throw_truncated(reader.path(), static_cast<std::size_t>(possible), runs.samples());
-  samples.reserve(samples.size() + runs.kept());
+  reserve_values(samples, runs.kept(), reader.encoding());
   Words words(reader);
   for (std::size_t done = 0; done < runs.samples(); runs.next()) {
     const bool is_kept = runs.is_kept();
@@ -157,6 +163,10 @@ void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples) 
 
 void read_text_samples(ByteReader& reader, std::span<const FileAxis> axes, Samples& samples) {
   samples.visit([&](auto& values) { read_text(reader, Runs(axes), values); });
+}
+
+void reserve_samples(Samples& samples, std::size_t count, Encoding encoding) {
+  samples.visit([&](auto& values) { reserve_values(values, count, encoding); });
 }
 
 std::size_t place_on_axis(const std::optional<std::size_t>& choice, std::size_t size, const std::string& what,

@@ -33,6 +33,10 @@ void read_samples(ByteReader& reader, std::span<const FileAxis> axes, ByteOrder 
 void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples);
 void read_text_samples(ByteReader& reader, std::span<const FileAxis> axes, Samples& samples);
 
+/// Takes addresses for so many more samples, so that they need not be moved as they arrive. Bzip2 can compress a
+/// million times: for its data, memory is taken at once only up to 1 GiB.
+void reserve_samples(Samples& samples, std::size_t count, Encoding encoding);
+
 /// The place that a choice means on an axis of `size` > 0 places. Without a choice it is the only place that there is.
 /// Throws DataError that names the file and what can be chosen, e.g. "scan.nii: it has 3 steps; choose one with --step
 /// 0 to 2". `what` is "step" or "component".
