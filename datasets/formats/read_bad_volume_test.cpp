@@ -139,7 +139,8 @@ TEST(ReadVolumeBadInput, NotA3DScalarVolume) {
   series.put<std::int16_t>(40, 4);
   series.put<std::int16_t>(48, 2);
   const std::string twice = bytes_of_samples<float>(samples()) + bytes_of_samples<float>(samples());
-  expect_data_error(folder.write("series.nii", series.bytes() + twice), "three dimensions");
+  expect_data_error(folder.write("series.nii", series.bytes() + twice),
+                    "it has 2 steps; choose one with --step 0 to 1");
   std::string flat = nrrd_header("float", "raw");
   flat.replace(flat.find("dimension: 3"), 12, "dimension: 2");
   expect_data_error(folder.write("flat.nrrd", flat + "\n" + twice), "3-D");
