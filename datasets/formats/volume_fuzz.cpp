@@ -19,11 +19,24 @@ void check_volume(const Volume& volume, std::size_t file_bytes) {
   require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
 }
 
-bool read(const std::string& name, std::string_view bytes) {
+/// Reads a file that was written before, of so many bytes.
+bool read_written(const std::filesystem::path& path, std::size_t bytes, const VolumeChoice& choice) {
   return accepts([&] {
-    check_volume(read_volume(fuzz_file(name, bytes)).volume, bytes.size());
+    check_volume(read_volume(path, choice).volume, bytes);
     return true;
   });
+}
+
+bool read(const std::string& name, std::string_view bytes, const VolumeChoice& choice = {}) {
+  return read_written(fuzz_file(name, bytes), bytes.size(), choice);
+}
+
+/// What a file with several volumes needs.
+VolumeChoice first_of(bool has_components) {
+  VolumeChoice choice;
+  choice.step = 0;
+  if (has_components) choice.component = 0;
+  return choice;
 }
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
@@ -54,7 +67,29 @@ bool fuzz_metaimage(std::string_view bytes) {
 
 bool fuzz_inrimage(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.inr.gz" : "volume.inr", bytes); }
 
-bool fuzz_nifti(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.nii.gz" : "volume.nii", bytes); }
+/// A header without the mark of a single file is written to a file of its own, and the rest to the other one of a pair.
+bool fuzz_nifti(std::string_view bytes) {
+  constexpr std::size_t sizes[] = {348, 540};
+  const bool second_version = bytes.size() > 6 && bytes[6] == '2';
+  const std::size_t size = std::min(sizes[second_version ? 1 : 0], bytes.size());
+  const bool is_pair = size > 345 && bytes[second_version ? 5 : 345] != '+' && !is_gzip(bytes);
+  std::filesystem::path path;
+  if (is_pair) {
+    fuzz_file("volume.img", bytes.substr(size));
+    path = fuzz_file("volume.hdr", bytes.substr(0, size));
+  } else {
+    path = fuzz_file(is_gzip(bytes) ? "volume.nii.gz" : "volume.nii", bytes);
+  }
+  return read_written(path, bytes.size(), {}) || read_written(path, bytes.size(), first_of(true));
+}
+
+bool fuzz_mgh(std::string_view bytes) {
+  return read("volume.mgz", bytes) || read("volume.mgz", bytes, first_of(false));
+}
+
+bool fuzz_mrc(std::string_view bytes) {
+  return read("volume.mrc", bytes) || read("volume.mrc", bytes, first_of(false));
+}
 
 bool fuzz_vti(std::string_view bytes) { return read("volume.vti", bytes); }
 
