@@ -173,6 +173,9 @@ TEST(ReadNiftiHeaders, AWrongNumberOfDimensionsIsPutRightIfTheSizesTellIt) {
   NiftiHeader size = placed(true);
   size.put<std::int32_t>(0, 0);
   expect_oblique(volume_with_note(folder.write("d.nii", size.bytes() + floats(true)), "first field"));
+  NiftiHeader none = placed();
+  none.put<std::int16_t>(46, 0);
+  expect_data_error(folder.write("f.nii", none.bytes() + floats()), "not that of a 3-D volume");
   // Sizes beyond the number of dimensions mean nothing.
   NiftiHeader more = placed();
   more.put<std::int16_t>(48, 9);
@@ -193,7 +196,9 @@ TEST(ReadNiftiHeaders, AnImageIsOneSlice) {
   for (const NiftiHeader& header : {flat, single, flat_sform}) {
     const Volume volume = volume_without_note(folder.write("a.nii", header.bytes() + slice));
     EXPECT_EQ(volume.lattice.size, (std::array<int, 3>{nx, ny, 1}));
-    EXPECT_EQ(floats_of(volume), std::vector<float>(samples().begin(), samples().begin() + nx * ny));
+    std::vector<float> first = samples();
+    first.resize(std::size_t{nx} * ny);
+    EXPECT_EQ(floats_of(volume), first);
     EXPECT_GT(volume.lattice.spacing[2], 0.0);
   }
   const Volume unplaced = volume_of(folder.write("b.nii", flat.bytes() + slice));
