@@ -1,5 +1,12 @@
 // MRC and CCP4 maps: their samples. Where they lie is in mrc_placement_test.cpp.
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMRCReader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <cmath>
 
 #include "isobench/datasets/formats/testing/mrc_files.h"
 #include "isobench/datasets/formats/testing/note_files.h"
@@ -48,6 +55,21 @@ TEST(ReadMrc, EveryModeInBothByteOrdersPlainOrCompressed) {
       }
     }
   }
+}
+
+TEST(ReadMrc, SamplesAreAsVtkReadsThem) {
+  const TestFolder folder;
+  const auto path = folder.write("a.mrc", MrcFileHeader().put(92, 80).bytes() + std::string(80, 'x') + floats());
+  vtkNew<vtkMRCReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const Volume volume = volume_of(path);
+  vtkDataArray* array = reader->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(volume.samples.size()));
+  for (std::size_t n = 0; n < volume.samples.size(); ++n)
+    EXPECT_EQ(volume.samples.as<float>()[n], array->GetComponent(static_cast<vtkIdType>(n), 0));
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(1e7 * volume.lattice.spacing[axis], reader->GetOutput()->GetSpacing()[axis], 1e-6);
 }
 
 TEST(ReadMrc, HalfFloatsOfEveryKind) {

@@ -113,7 +113,7 @@ std::optional<ByteOrder> order_of_version_1(const std::string& bytes, const std:
   const bool little = is_possible(ByteOrder::little);
   const bool big = is_possible(ByteOrder::big);
   if (!by_size) return little == big ? std::nullopt : std::optional(little ? ByteOrder::little : ByteOrder::big);
-  if (little != big && is_possible(*by_size) == false) {
+  if (little != big && !is_possible(*by_size)) {
     throw DataError(path.string() +
                     ": the fields of its header have different byte orders; the header is damaged, export it again");
   }

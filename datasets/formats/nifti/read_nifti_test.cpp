@@ -1,5 +1,11 @@
 // NIfTI and ANALYZE: which files a volume is made of, and headers that are wrong.
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include "isobench/datasets/formats/testing/nifti_files.h"
 #include "isobench/datasets/formats/testing/note_files.h"
@@ -34,6 +40,36 @@ TEST(ReadNiftiFiles, EitherFileOfAPairCanBeNamed) {
         expect_oblique(volume_without_note(second));
       }
     }
+  }
+}
+
+TEST(ReadNiftiFiles, SamplesAndPlacesAreAsVtkReadsThem) {
+  const TestFolder folder;
+  folder.write("pair.img", floats(true));
+  NiftiHeader by_qform;
+  by_qform.put_qform(oblique(), origin);
+  const std::filesystem::path paths[] = {folder.write("one.nii.gz", deflated(placed().bytes() + floats(), true)),
+                                         folder.write("two.nii", nifti_2_header() + floats()),
+                                         folder.write("qform.nii", by_qform.bytes() + floats()),
+                                         folder.write("pair.hdr", pair_header(placed(true)))};
+  for (const std::filesystem::path& path : paths) {
+    SCOPED_TRACE(path);
+    const Volume volume = volume_without_note(path);
+    vtkNew<vtkNIFTIImageReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    vtkDataArray* array = reader->GetOutput()->GetPointData()->GetScalars();
+    ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(volume.samples.size()));
+    for (std::size_t n = 0; n < volume.samples.size(); ++n)
+      EXPECT_EQ(volume.samples.as<float>()[n], array->GetComponent(static_cast<vtkIdType>(n), 0));
+    vtkMatrix4x4* matrix = reader->GetSFormMatrix() != nullptr ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
+    ASSERT_NE(matrix, nullptr);
+    const double* step = reader->GetOutput()->GetSpacing();
+    const double node[] = {3.0 * step[0], 1.0 * step[1], 4.0 * step[2], 1.0};
+    double world[4] = {};
+    matrix->MultiplyPoint(node, world);
+    const Eigen::Vector3d place = volume.lattice.spacing.cwiseProduct(Eigen::Vector3d(3.0, 1.0, 4.0));
+    EXPECT_LT((volume.lattice.to_world(place) - Eigen::Vector3d(world)).norm(), 1e-5);
   }
 }
 
