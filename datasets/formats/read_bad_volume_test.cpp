@@ -139,7 +139,8 @@ TEST(ReadVolumeBadInput, NotA3DScalarVolume) {
   series.put<std::int16_t>(40, 4);
   series.put<std::int16_t>(48, 2);
   const std::string twice = bytes_of_samples<float>(samples()) + bytes_of_samples<float>(samples());
-  expect_data_error(folder.write("series.nii", series.bytes() + twice), "three dimensions");
+  expect_data_error(folder.write("series.nii", series.bytes() + twice),
+                    "it has 2 steps; choose one with --step 0 to 1");
   std::string sheared = nrrd_header("float", "raw");
   const std::size_t at = sheared.find("space directions:");
   sheared.replace(at, sheared.find('\n', at) - at, "space directions: (1,0,0) (0.5,1,0) (1,1,0.01)");

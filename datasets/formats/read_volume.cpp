@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "isobench/datasets/formats/metaimage/read_metaimage.h"
+#include "isobench/datasets/formats/mgh/read_mgh.h"
+#include "isobench/datasets/formats/mrc/read_mrc.h"
 #include "isobench/datasets/formats/nifti/read_nifti.h"
 #include "isobench/datasets/formats/nrrd/read_nrrd.h"
 #include "isobench/datasets/formats/read_inrimage.h"
@@ -26,6 +28,7 @@ struct Format {
   KnownChoices known;
 };
 
+constexpr KnownChoices time_steps{.step = true};
 constexpr KnownChoices time_and_components{.step = true, .component = true};
 constexpr KnownChoices segments_too{.step = true, .component = true, .segment = true};
 constexpr KnownChoices named_arrays{.component = true, .array = true};
@@ -36,6 +39,21 @@ constexpr Format formats[] = {{".nrrd", "NRRD", read_nrrd, segments_too},
                               {".mha", "MetaImage", read_metaimage, time_and_components},
                               {".nii", "NIfTI", read_nifti, time_and_components},
                               {".nii.gz", "NIfTI", read_nifti, time_and_components},
+                              {".hdr", "NIfTI", read_nifti, time_and_components},
+                              {".hdr.gz", "NIfTI", read_nifti, time_and_components},
+                              {".img", "NIfTI", read_nifti, time_and_components},
+                              {".img.gz", "NIfTI", read_nifti, time_and_components},
+                              {".mgh", "MGH", read_mgh, time_steps},
+                              {".mgz", "MGH", read_mgh, time_steps},
+                              {".mgh.gz", "MGH", read_mgh, time_steps},
+                              {".mrc", "MRC", read_mrc, time_steps},
+                              {".map", "MRC", read_mrc, time_steps},
+                              {".ccp4", "MRC", read_mrc, time_steps},
+                              {".rec", "MRC", read_mrc, time_steps},
+                              {".st", "MRC", read_mrc, time_steps},
+                              {".mrc.gz", "MRC", read_mrc, time_steps},
+                              {".map.gz", "MRC", read_mrc, time_steps},
+                              {".ccp4.gz", "MRC", read_mrc, time_steps},
                               {".vti", "VTI", read_vti, named_arrays},
                               {".inr", "INRIMAGE", read_inrimage, {}},
                               {".inr.gz", "INRIMAGE", read_inrimage, {}}};

@@ -186,26 +186,5 @@ TEST(ReadNifti, AllThatVtkWrites) {
   }
 }
 
-TEST(ReadNifti, WholeNumbersOf64BitsAndDamagedHeaders) {
-  const TestFolder folder;
-  NiftiHeader header;
-  header.put<std::int16_t>(70, 1024);
-  header.put<std::int16_t>(72, 64);
-  EXPECT_EQ(floats_of(volume_of(folder.write("i64.nii", header.bytes() + bytes_of_samples<std::int64_t>(samples())))),
-            samples());
-  const auto refused = [&](std::size_t at, auto value, const std::string& part) {
-    NiftiHeader damaged;
-    damaged.put(at, value);
-    expect_data_error(folder.write("damaged.nii", damaged.bytes() + bytes_of_samples<float>(samples())), part);
-  };
-  refused(72, std::int16_t{0}, "0 bits");
-  refused(70, std::int16_t{128}, "datatype 128");
-  refused(40, std::int16_t{0}, "0 dimensions");
-  refused(46, std::int16_t{0}, "not that of a 3-D volume");
-  refused(108, 1e30F, "cannot begin at byte");
-  refused(108, std::numeric_limits<float>::quiet_NaN(), "cannot begin at byte");
-  refused(80, 0.0F, "spacing");
-}
-
 }  // namespace
 }  // namespace isobench

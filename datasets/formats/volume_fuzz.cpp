@@ -24,25 +24,18 @@ void check_volume(const Volume& volume, std::size_t file_bytes, std::size_t fact
   require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
 }
 
-bool read(const std::string& name, std::string_view bytes) {
-  return accepts([&] {
-    check_volume(read_volume(fuzz_file(name, bytes)).volume, bytes.size());
-    return true;
-  });
-}
-
-/// Reads with each of several choices; files with vectors, series or segments need one. Returns whether one was
-/// accepted.
-bool read_with_choices(const std::string& name, std::string_view bytes) {
-  std::vector<VolumeChoice> choices(4);
+/// Reads a file of so many bytes with each of several choices; files with vectors, series or segments need one. Returns
+/// whether one was accepted.
+bool read_with_choices(const std::filesystem::path& path, std::string_view bytes) {
+  std::vector<VolumeChoice> choices(5);
   choices[1].step = 1;
   choices[2].component = 1;
   choices[3].step = 0;
   choices[3].component = 0;
-  if (name.ends_with(".nrrd")) {
+  choices[4].array = "a";
+  if (path.extension() == ".nrrd") {
     for (const char* segment : {"layer 1", "Segment_1", "2"}) choices.emplace_back().segment = segment;
   }
-  const std::filesystem::path path = fuzz_file(name, bytes);
   const bool has_bzip2 = bytes.find("bz") != std::string_view::npos;
   bool accepted = false;
   for (const VolumeChoice& choice : choices) {
@@ -50,13 +43,15 @@ bool read_with_choices(const std::string& name, std::string_view bytes) {
                  const VolumeFile file = read_volume(path, choice);
                  check_volume(file.volume, bytes.size(), has_bzip2 ? most_bzip2 : most_deflation);
                  for (const std::string& note : file.notes)
-                   require(note.starts_with(path.string() + ": "), "a note names the file");
+                   require(note.starts_with(path.parent_path().string()), "a note names the file");
                  return true;
                }) ||
                accepted;
   }
   return accepted;
 }
+
+bool read(const std::string& name, std::string_view bytes) { return read_with_choices(fuzz_file(name, bytes), bytes); }
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
@@ -79,17 +74,35 @@ void write_data_files() {
 
 bool fuzz_nrrd(std::string_view bytes) {
   write_data_files();
-  return read_with_choices("volume.nrrd", bytes);
+  return read("volume.nrrd", bytes);
 }
 
 bool fuzz_metaimage(std::string_view bytes) {
   write_data_files();
-  return read_with_choices("volume.mha", bytes);
+  return read("volume.mha", bytes);
 }
 
 bool fuzz_inrimage(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.inr.gz" : "volume.inr", bytes); }
 
-bool fuzz_nifti(std::string_view bytes) { return read(is_gzip(bytes) ? "volume.nii.gz" : "volume.nii", bytes); }
+/// A header without the mark of a single file is written to a file of its own, and the rest to the other one of a pair.
+bool fuzz_nifti(std::string_view bytes) {
+  constexpr std::size_t sizes[] = {348, 540};
+  const bool second_version = bytes.size() > 6 && bytes[6] == '2';
+  const std::size_t size = std::min(sizes[second_version ? 1 : 0], bytes.size());
+  const bool is_pair = size > 345 && bytes[second_version ? 5 : 345] != '+' && !is_gzip(bytes);
+  std::filesystem::path path;
+  if (is_pair) {
+    fuzz_file("volume.img", bytes.substr(size));
+    path = fuzz_file("volume.hdr", bytes.substr(0, size));
+  } else {
+    path = fuzz_file(is_gzip(bytes) ? "volume.nii.gz" : "volume.nii", bytes);
+  }
+  return read_with_choices(path, bytes);
+}
+
+bool fuzz_mgh(std::string_view bytes) { return read("volume.mgz", bytes); }
+
+bool fuzz_mrc(std::string_view bytes) { return read("volume.mrc", bytes); }
 
 bool fuzz_vti(std::string_view bytes) { return read("volume.vti", bytes); }
 
