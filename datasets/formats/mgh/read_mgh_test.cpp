@@ -7,14 +7,14 @@
 namespace isobench {
 namespace {
 
-std::string floats() { return bytes_of_samples<float>(samples(), true); }
+std::string mgh_floats() { return bytes_of_samples<float>(samples(), true); }
 
 TEST(ReadMgh, KeepsNodesInPlaceInEveryTypePlainOrCompressed) {
   const TestFolder folder;
   const std::tuple<int, std::string, SampleType> types[] = {
       {0, bytes_of_samples<std::uint8_t>(samples()), SampleType::u8},
       {1, bytes_of_samples<std::int32_t>(samples(), true), SampleType::i32},
-      {3, floats(), SampleType::f32},
+      {3, mgh_floats(), SampleType::f32},
       {4, bytes_of_samples<std::int16_t>(samples(), true), SampleType::i16},
       {10, bytes_of_samples<std::uint16_t>(samples(), true), SampleType::u16}};
   for (const auto& [code, data, type] : types) {
@@ -35,10 +35,10 @@ TEST(ReadMgh, AnIntentInTheVersionDoesNotMatter) {
   const TestFolder folder;
   std::string header = mgh_header(3);
   put_mgh(header, 0, 0x0201);
-  expect_oblique(volume_without_note(folder.write("a.mgh", header + floats())));
+  expect_oblique(volume_without_note(folder.write("a.mgh", header + mgh_floats())));
   for (const int version : {0, 2, 0x10001, 0x01000000}) {
     put_mgh(header, 0, version);
-    expect_data_error(folder.write("a.mgh", header + floats()), "not a volume of FreeSurfer");
+    expect_data_error(folder.write("a.mgh", header + mgh_floats()), "not a volume of FreeSurfer");
   }
 }
 
@@ -46,7 +46,8 @@ TEST(ReadMgh, WithoutAPlaceItLiesAsFreeSurferPutsIt) {
   const TestFolder folder;
   std::string header = mgh_header(3);
   put_mgh(header, 28, std::int16_t{0});
-  const Lattice lattice = volume_with_note(folder.write("a.mgh", header + floats()), "coronal slices of 1 mm").lattice;
+  const Lattice lattice =
+      volume_with_note(folder.write("a.mgh", header + mgh_floats()), "coronal slices of 1 mm").lattice;
   EXPECT_EQ(lattice.spacing, Eigen::Vector3d::Ones());
   // Node (i, j, k) lies at (nx/2 - i, k - nz/2, ny/2 - j).
   EXPECT_EQ(lattice.to_world(Eigen::Vector3d::Zero()), Eigen::Vector3d(3.5, -2.5, 3.0));
@@ -57,7 +58,7 @@ TEST(ReadMgh, FramesAreSteps) {
   const TestFolder folder;
   std::vector<float> other = samples();
   for (float& value : other) value += 1.0F;
-  const std::string bytes = mgh_header(3, 2) + bytes_of_samples<float>(other, true) + floats();
+  const std::string bytes = mgh_header(3, 2) + bytes_of_samples<float>(other, true) + mgh_floats();
   for (const bool compressed : {false, true}) {
     const auto path = folder.write("a.mgz", compressed ? deflated(bytes, true) : bytes);
     expect_data_error(path, "it has 2 steps; choose one with --step 0 to 1");
@@ -70,7 +71,7 @@ TEST(ReadMgh, FramesAreSteps) {
 
 TEST(ReadMgh, DamagedAndHostileFiles) {
   const TestFolder folder;
-  const std::string whole = mgh_header(3) + floats();
+  const std::string whole = mgh_header(3) + mgh_floats();
   for (const std::string& bytes : {whole, deflated(whole, true)}) {
     for (const std::size_t length : {bytes.size() - 1, bytes.size() / 2, std::size_t{100}, std::size_t{3}})
       expect_data_error(folder.write("cut.mgz", bytes.substr(0, length)), "");
@@ -89,15 +90,15 @@ TEST(ReadMgh, DamagedAndHostileFiles) {
   for (const auto& [at, value, message] : changes) {
     std::string header = mgh_header(3);
     put_mgh(header, at, value);
-    expect_data_error(folder.write("a.mgh", header + floats()), message);
+    expect_data_error(folder.write("a.mgh", header + mgh_floats()), message);
   }
   std::string large = mgh_header(3, 2147483647);
   for (const std::size_t at : {4U, 8U}) put_mgh(large, at, 1 << 20);
   put_mgh(large, 12, 1);
-  expect_data_error(folder.write("large.mgh", large + floats()), "the header is damaged");
+  expect_data_error(folder.write("large.mgh", large + mgh_floats()), "the header is damaged");
   std::string flat = mgh_header(3);
   for (std::size_t n = 0; n < 12; ++n) flat[66 + n] = flat[54 + n];  // two equal directions
-  expect_data_error(folder.write("flat.mgh", flat + floats()), "nearly in a plane");
+  expect_data_error(folder.write("flat.mgh", flat + mgh_floats()), "nearly in a plane");
 }
 
 }  // namespace

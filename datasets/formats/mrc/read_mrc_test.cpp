@@ -15,7 +15,7 @@
 namespace isobench {
 namespace {
 
-std::string floats(bool swapped = false) { return bytes_of_samples<float>(samples(), swapped); }
+std::string mrc_floats(bool swapped = false) { return bytes_of_samples<float>(samples(), swapped); }
 
 /// The notes but for the one on the unit, which every file has, as one text.
 std::string other_notes(const VolumeFile& file) {
@@ -40,7 +40,7 @@ TEST(ReadMrc, EveryModeInBothByteOrdersPlainOrCompressed) {
     const std::tuple<int, std::string, SampleType> modes[] = {
         {0, bytes_of_samples<std::int8_t>(std::vector<float>(samples().size(), -3.0F)), SampleType::i8},
         {1, bytes_of_samples<std::int16_t>(samples(), swapped), SampleType::i16},
-        {2, floats(swapped), SampleType::f32},
+        {2, mrc_floats(swapped), SampleType::f32},
         {6, bytes_of_samples<std::uint16_t>(samples(), swapped), SampleType::u16},
         {12, bytes_of_samples<std::uint16_t>(halves, swapped), SampleType::f32}};
     for (const auto& [mode, data, type] : modes) {
@@ -59,7 +59,7 @@ TEST(ReadMrc, EveryModeInBothByteOrdersPlainOrCompressed) {
 
 TEST(ReadMrc, SamplesAreAsVtkReadsThem) {
   const TestFolder folder;
-  const auto path = folder.write("a.mrc", MrcFileHeader().put(92, 80).bytes() + std::string(80, 'x') + floats());
+  const auto path = folder.write("a.mrc", MrcFileHeader().put(92, 80).bytes() + std::string(80, 'x') + mrc_floats());
   vtkNew<vtkMRCReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -116,12 +116,12 @@ TEST(ReadMrc, TheByteOrderThatMakesSenseIsTaken) {
   for (const bool swapped : {false, true}) {
     // Without a stamp, as old programs leave it.
     VolumeFile file =
-        read_volume(folder.write("a.mrc", MrcFileHeader(2, swapped).make_old().bytes() + floats(swapped)));
+        read_volume(folder.write("a.mrc", MrcFileHeader(2, swapped).make_old().bytes() + mrc_floats(swapped)));
     EXPECT_EQ(floats_of(file.volume), samples());
     EXPECT_EQ(other_notes(file), "");
     std::string wrong = MrcFileHeader(2, swapped).bytes();
     wrong.replace(212, 2, swapped ? "\x44\x44" : "\x11\x11");
-    file = read_volume(folder.write("b.mrc", wrong + floats(swapped)));
+    file = read_volume(folder.write("b.mrc", wrong + mrc_floats(swapped)));
     EXPECT_EQ(floats_of(file.volume), samples());
     EXPECT_NE(other_notes(file).find("states the wrong byte order"), std::string::npos);
   }
@@ -130,15 +130,16 @@ TEST(ReadMrc, TheByteOrderThatMakesSenseIsTaken) {
 TEST(ReadMrc, AnExtendedHeaderIsSkipped) {
   const TestFolder folder;
   const std::string header = MrcFileHeader().put(92, 160).bytes();
-  EXPECT_EQ(floats_of(volume_of(folder.write("a.map", header + std::string(160, 'x') + floats()))), samples());
-  expect_data_error(folder.write("b.map", header + floats()), "truncated");
-  expect_data_error(folder.write("c.map", MrcFileHeader().put(92, -4).bytes() + floats()), "an extension of -4 bytes");
-  expect_data_error(folder.write("d.map", MrcFileHeader().put(92, 2147483647).bytes() + floats()), "truncated");
+  EXPECT_EQ(floats_of(volume_of(folder.write("a.map", header + std::string(160, 'x') + mrc_floats()))), samples());
+  expect_data_error(folder.write("b.map", header + mrc_floats()), "truncated");
+  expect_data_error(folder.write("c.map", MrcFileHeader().put(92, -4).bytes() + mrc_floats()),
+                    "an extension of -4 bytes");
+  expect_data_error(folder.write("d.map", MrcFileHeader().put(92, 2147483647).bytes() + mrc_floats()), "truncated");
 }
 
 TEST(ReadMrc, StacksOfVolumesAndOfImages) {
   const TestFolder folder;
-  const std::string data = bytes_of_samples<float>(std::vector<float>(samples().size(), 1.0F)) + floats();
+  const std::string data = bytes_of_samples<float>(std::vector<float>(samples().size(), 1.0F)) + mrc_floats();
   const auto stack = [&](int group, int sections, int each) {
     return folder.write("a.mrc", MrcFileHeader().put(88, group).put(8, sections).put(36, each).bytes() + data);
   };
@@ -154,7 +155,7 @@ TEST(ReadMrc, StacksOfVolumesAndOfImages) {
 
 TEST(ReadMrc, DamagedForeignAndHostileFiles) {
   const TestFolder folder;
-  const std::string whole = MrcFileHeader().bytes() + floats();
+  const std::string whole = MrcFileHeader().bytes() + mrc_floats();
   for (const std::string& bytes : {whole, deflated(whole, true)}) {
     for (const std::size_t length : {bytes.size() - 1, bytes.size() / 2, std::size_t{100}, std::size_t{3}})
       expect_data_error(folder.write("cut.mrc", bytes.substr(0, length)), "");
@@ -164,14 +165,15 @@ TEST(ReadMrc, DamagedForeignAndHostileFiles) {
   const std::pair<int, const char*> modes[] = {{3, "complex numbers"}, {4, "complex numbers"}, {16, "colours"},
                                                {101, "of 4 bits"},     {5, "of mode 5"},       {7, "of mode 7"}};
   for (const auto& [mode, message] : modes)
-    expect_data_error(folder.write("mode.mrc", MrcFileHeader(mode).bytes() + floats() + floats()), message);
-  expect_data_error(folder.write("mode.mrc", MrcFileHeader(-1).bytes() + floats()), "none of an MRC");
-  expect_data_error(folder.write("a.mrc", MrcFileHeader().put(4, 0).bytes() + floats()), "none of an MRC");
-  expect_data_error(folder.write("b.mrc", MrcFileHeader().put(8, -5).bytes() + floats()), "none of an MRC");
-  expect_data_error(folder.write("c.mrc", MrcFileHeader().put_three(0, 9000, 9000, 9000).bytes() + floats()),
+    expect_data_error(folder.write("mode.mrc", MrcFileHeader(mode).bytes() + mrc_floats() + mrc_floats()), message);
+  expect_data_error(folder.write("mode.mrc", MrcFileHeader(-1).bytes() + mrc_floats()), "none of an MRC");
+  expect_data_error(folder.write("a.mrc", MrcFileHeader().put(4, 0).bytes() + mrc_floats()), "none of an MRC");
+  expect_data_error(folder.write("b.mrc", MrcFileHeader().put(8, -5).bytes() + mrc_floats()), "none of an MRC");
+  expect_data_error(folder.write("c.mrc", MrcFileHeader().put_three(0, 9000, 9000, 9000).bytes() + mrc_floats()),
                     "truncated");
-  expect_data_error(folder.write("d.mrc", MrcFileHeader().put_three(0, 1 << 30, 1 << 13, 1).bytes() + floats()), "");
-  expect_data_error(folder.write("e.mrc", MrcFileHeader().put(64, 2).bytes() + floats()), "none of an MRC");
+  expect_data_error(folder.write("d.mrc", MrcFileHeader().put_three(0, 1 << 30, 1 << 13, 1).bytes() + mrc_floats()),
+                    "");
+  expect_data_error(folder.write("e.mrc", MrcFileHeader().put(64, 2).bytes() + mrc_floats()), "none of an MRC");
 }
 
 }  // namespace

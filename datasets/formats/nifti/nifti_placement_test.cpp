@@ -14,7 +14,7 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
 const Eigen::Vector3d elsewhere(1.0, 2.0, 3.0);
 
-std::string floats() { return bytes_of_samples<float>(samples()); }
+std::string placed_floats() { return bytes_of_samples<float>(samples()); }
 
 void put_pixdim(NiftiHeader& header, const Eigen::Vector3d& voxel) {
   for (int n = 0; n < 3; ++n) header.put<float>(80 + 4 * static_cast<std::size_t>(n), static_cast<float>(voxel[n]));
@@ -32,7 +32,9 @@ void put_steps(NiftiHeader& header, const Eigen::Matrix3d& steps) {
 
 class NiftiPlacement : public testing::Test {
  protected:
-  std::filesystem::path write(const NiftiHeader& header) { return folder_.write("a.nii", header.bytes() + floats()); }
+  std::filesystem::path write(const NiftiHeader& header) {
+    return folder_.write("a.nii", header.bytes() + placed_floats());
+  }
 
  private:
   TestFolder folder_;

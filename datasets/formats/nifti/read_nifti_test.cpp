@@ -14,7 +14,7 @@
 namespace isobench {
 namespace {
 
-std::string floats(bool swapped = false) { return bytes_of_samples<float>(samples(), swapped); }
+std::string nifti_floats(bool swapped = false) { return bytes_of_samples<float>(samples(), swapped); }
 
 NiftiHeader placed(bool swapped = false) {
   NiftiHeader header(swapped);
@@ -35,7 +35,8 @@ TEST(ReadNiftiFiles, EitherFileOfAPairCanBeNamed) {
         const std::string header = second_version ? nifti_2_header(swapped, true) : pair_header(placed(swapped));
         const bool compressed = std::string(image_name).ends_with(".gz");
         const auto first = folder.write(header_name, compressed ? deflated(header, true) : header);
-        const auto second = folder.write(image_name, compressed ? deflated(floats(swapped), true) : floats(swapped));
+        const auto second =
+            folder.write(image_name, compressed ? deflated(nifti_floats(swapped), true) : nifti_floats(swapped));
         expect_oblique(volume_without_note(first));
         expect_oblique(volume_without_note(second));
       }
@@ -45,12 +46,12 @@ TEST(ReadNiftiFiles, EitherFileOfAPairCanBeNamed) {
 
 TEST(ReadNiftiFiles, SamplesAndPlacesAreAsVtkReadsThem) {
   const TestFolder folder;
-  folder.write("pair.img", floats(true));
+  folder.write("pair.img", nifti_floats(true));
   NiftiHeader by_qform;
   by_qform.put_qform(oblique(), origin);
-  const std::filesystem::path paths[] = {folder.write("one.nii.gz", deflated(placed().bytes() + floats(), true)),
-                                         folder.write("two.nii", nifti_2_header() + floats()),
-                                         folder.write("qform.nii", by_qform.bytes() + floats()),
+  const std::filesystem::path paths[] = {folder.write("one.nii.gz", deflated(placed().bytes() + nifti_floats(), true)),
+                                         folder.write("two.nii", nifti_2_header() + nifti_floats()),
+                                         folder.write("qform.nii", by_qform.bytes() + nifti_floats()),
                                          folder.write("pair.hdr", pair_header(placed(true)))};
   for (const std::filesystem::path& path : paths) {
     SCOPED_TRACE(path);
@@ -76,11 +77,11 @@ TEST(ReadNiftiFiles, SamplesAndPlacesAreAsVtkReadsThem) {
 TEST(ReadNiftiFiles, AMissingHalfIsNamed) {
   const TestFolder folder;
   expect_data_error(folder.write("a.hdr", pair_header(placed())), "a.img, are missing");
-  expect_data_error(folder.write("b.img", floats()), "b.hdr, is missing");
-  expect_data_error(folder.write("c.nii", pair_header(placed()) + floats()), "its samples are in another file");
+  expect_data_error(folder.write("b.img", nifti_floats()), "b.hdr, is missing");
+  expect_data_error(folder.write("c.nii", pair_header(placed()) + nifti_floats()), "its samples are in another file");
   folder.write("d.img", "short");
   expect_data_error(folder.write("d.hdr", "!INTERFILE  :=\n" + std::string(500, ' ')), "not a header of NIfTI");
-  folder.write("e.img", floats().substr(4));
+  folder.write("e.img", nifti_floats().substr(4));
   try {
     read_volume(folder.write("e.hdr", pair_header(placed())));
     ADD_FAILURE() << "a truncated file was read";
@@ -91,17 +92,17 @@ TEST(ReadNiftiFiles, AMissingHalfIsNamed) {
 
 TEST(ReadNiftiFiles, OneFileMayHaveTheEndingOfAPair) {
   const TestFolder folder;
-  expect_oblique(volume_without_note(folder.write("a.img", placed().bytes() + floats())));
-  expect_oblique(volume_without_note(folder.write("b.hdr", placed().bytes() + floats())));
+  expect_oblique(volume_without_note(folder.write("a.img", placed().bytes() + nifti_floats())));
+  expect_oblique(volume_without_note(folder.write("b.hdr", placed().bytes() + nifti_floats())));
   // Compressed or not, whatever the ending says.
-  expect_oblique(volume_without_note(folder.write("c.nii", deflated(placed().bytes() + floats(), true))));
-  expect_oblique(volume_without_note(folder.write("d.nii.gz", placed().bytes() + floats())));
+  expect_oblique(volume_without_note(folder.write("c.nii", deflated(placed().bytes() + nifti_floats(), true))));
+  expect_oblique(volume_without_note(folder.write("d.nii.gz", placed().bytes() + nifti_floats())));
 }
 
 TEST(ReadNiftiFiles, TheSecondVersionInBothByteOrders) {
   const TestFolder folder;
   for (const bool swapped : {false, true}) {
-    const std::string bytes = nifti_2_header(swapped) + floats(swapped);
+    const std::string bytes = nifti_2_header(swapped) + nifti_floats(swapped);
     const Volume volume = volume_without_note(folder.write("a.nii", bytes));
     expect_oblique(volume);
     EXPECT_EQ(volume.lattice.space, "RAS");
@@ -129,7 +130,7 @@ TEST(ReadNiftiFiles, AnalyzeHasNoPlace) {
     EXPECT_EQ(volume.lattice.space, "");
     EXPECT_EQ(floats_of(volume_with_note(folder.path() / "a.img", "mirror image")), samples());
   }
-  expect_data_error(folder.write("a.nii", analyze_header() + floats()), "not a NIfTI file");
+  expect_data_error(folder.write("a.nii", analyze_header() + nifti_floats()), "not a NIfTI file");
 }
 
 TEST(ReadNiftiFiles, AnalyzeKeepsItsUnitAndTheFactorOfSpm) {
@@ -158,7 +159,7 @@ TEST(ReadNiftiFiles, AnalyzeKeepsItsUnitAndTheFactorOfSpm) {
 
 TEST(ReadNiftiFiles, AnalyzeThatCannotBeRead) {
   const TestFolder folder;
-  folder.write("a.img", floats());
+  folder.write("a.img", nifti_floats());
   const auto with = [&](std::size_t at, std::int16_t value) {
     return folder.write("a.hdr", analyze_header().replace(at, 2, bytes_of_value(value)));
   };
@@ -178,18 +179,19 @@ TEST(ReadNiftiHeaders, SamplesBeginWhereTheHeaderSaysOrAfterIt) {
   NiftiHeader header = placed();
   header.put<float>(108, 384.0F);
   const std::string extension(32, '\x55');
-  expect_oblique(volume_without_note(folder.write("extension.nii", header.bytes() + extension + floats())));
+  expect_oblique(volume_without_note(folder.write("extension.nii", header.bytes() + extension + nifti_floats())));
   header.put<float>(108, 0.0F);
-  expect_oblique(volume_without_note(folder.write("zero.nii", header.bytes() + floats())));
+  expect_oblique(volume_without_note(folder.write("zero.nii", header.bytes() + nifti_floats())));
   for (const float inside : {-1.0F, 100.0F, 348.0F}) {
     header.put<float>(108, inside);
-    expect_oblique(volume_with_note(folder.write("inside.nii", header.bytes() + floats()), "taken from byte 352"));
+    expect_oblique(
+        volume_with_note(folder.write("inside.nii", header.bytes() + nifti_floats()), "taken from byte 352"));
   }
   header.put<float>(108, 10000.0F);
-  expect_data_error(folder.write("beyond.nii", header.bytes() + floats()), "truncated");
+  expect_data_error(folder.write("beyond.nii", header.bytes() + nifti_floats()), "truncated");
   for (const float wrong : {1e30F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     header.put<float>(108, wrong);
-    expect_data_error(folder.write("wrong.nii", header.bytes() + floats()), "cannot begin at byte");
+    expect_data_error(folder.write("wrong.nii", header.bytes() + nifti_floats()), "cannot begin at byte");
   }
 }
 
@@ -198,29 +200,29 @@ TEST(ReadNiftiHeaders, AWrongNumberOfDimensionsIsPutRightIfTheSizesTellIt) {
   for (const std::int16_t number : {std::int16_t{0}, std::int16_t{8}, std::int16_t{-1}}) {
     NiftiHeader header = placed();
     header.put<std::int16_t>(40, number);
-    expect_oblique(volume_with_note(folder.write("a.nii", header.bytes() + floats()), "7 × 6 × 5 × 1"));
+    expect_oblique(volume_with_note(folder.write("a.nii", header.bytes() + nifti_floats()), "7 × 6 × 5 × 1"));
     header.put<std::int16_t>(44, 0);
-    expect_data_error(folder.write("b.nii", header.bytes() + floats()), "dimensions, not 1 to 7");
+    expect_data_error(folder.write("b.nii", header.bytes() + nifti_floats()), "dimensions, not 1 to 7");
   }
   NiftiHeader mixed = placed();
   mixed.put<std::int16_t>(40, 0x300);  // 3 in the other byte order
-  expect_data_error(folder.write("c.nii", mixed.bytes() + floats()), "different byte orders");
+  expect_data_error(folder.write("c.nii", mixed.bytes() + nifti_floats()), "different byte orders");
   // The first field alone is wrong.
   NiftiHeader size = placed(true);
   size.put<std::int32_t>(0, 0);
-  expect_oblique(volume_with_note(folder.write("d.nii", size.bytes() + floats(true)), "first field"));
+  expect_oblique(volume_with_note(folder.write("d.nii", size.bytes() + nifti_floats(true)), "first field"));
   NiftiHeader none = placed();
   none.put<std::int16_t>(46, 0);
-  expect_data_error(folder.write("f.nii", none.bytes() + floats()), "not that of a 3-D volume");
+  expect_data_error(folder.write("f.nii", none.bytes() + nifti_floats()), "not that of a 3-D volume");
   // Sizes beyond the number of dimensions mean nothing.
   NiftiHeader more = placed();
   more.put<std::int16_t>(48, 9);
-  expect_oblique(volume_without_note(folder.write("e.nii", more.bytes() + floats())));
+  expect_oblique(volume_without_note(folder.write("e.nii", more.bytes() + nifti_floats())));
 }
 
 TEST(ReadNiftiHeaders, AnImageIsOneSlice) {
   const TestFolder folder;
-  const std::string slice = floats().substr(0, std::size_t{4} * nx * ny);
+  const std::string slice = nifti_floats().substr(0, std::size_t{4} * nx * ny);
   NiftiHeader flat;
   flat.put<std::int16_t>(40, 2);
   flat.put<std::int16_t>(46, 0);
