@@ -229,7 +229,7 @@ TEST(MetaImage, HeaderSizesAndDataThatAreLonger) {
   folder.write("tail.raw", voxels + "xx");
   const auto stated = mhd(folder, "HeaderSize = 0\n", "tail.raw");
   expect_oblique(volume_of(stated));
-  expect_notes(read_volume(stated), stated, {"2 bytes after its samples in 'tail.raw' were left out"});
+  expect_notes(read_volume(stated), stated, {"'tail.raw' has 2 bytes after its samples, which were not used"});
   // A header over a .nii.gz.
   folder.write("v.nii.gz", deflated(std::string(352, 'h') + voxels, true));
   expect_oblique(volume_of(mhd(folder, "CompressedData = True\nHeaderSize = -1\n", "v.nii.gz")));

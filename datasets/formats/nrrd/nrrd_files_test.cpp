@@ -171,7 +171,7 @@ TEST(NrrdFiles, HeadersThatAreWrong) {
       {"space directions", "space directions: (1,0,0) (0,x,0) (0,0,1)", "numbers are expected"},
       {"space directions", "space directions: (1,0,0) (0,0,0) (0,0,1)", "must be > 0"},
       {"space directions", "space directions: (1,0,0) (0,inf,0) (0,0,1)", "must be > 0"},
-      {"space directions", "space directions: (1,0,0) none none", "1 of its 3 axes is space"},
+      {"space directions", "space directions: (1,0,0) none none", "1 of the 3 axes of its array is space"},
       {"space directions", "space directions: (1,0,0) (0,1,0) (1,1,0)", "nearly in a plane"},
       {"space origin", "space origin: (0,0)", "is not one point of its space"},
       {"space origin", "space origin: (0,0,0) (0,0,0)", "is not one point of its space"},

@@ -59,9 +59,13 @@ TEST(Nrrd, StreamsThatMeetWhereABlockOfTheFileEnds) {
     for (char& c : noise) c = static_cast<char>((state = state * 1664525U + 1013904223U) >> 24U);
     // Deflate makes noise longer by a few bytes; a byte less of it makes the stream a byte shorter.
     std::size_t length = noise.size() - before;
-    for (int n = 0; n < 10; ++n) length -= deflated(noise.substr(0, length), true).size() - (noise.size() - before);
-    ASSERT_EQ(deflated(noise.substr(0, length), true).size(), noise.size() - before);
-    const std::string data = deflated(noise.substr(0, length), true) + deflated("second", true);
+    std::string stream = deflated(noise.substr(0, length), true);
+    for (int n = 0; n < 10 && stream.size() != noise.size() - before; ++n) {
+      length -= stream.size() - (noise.size() - before);
+      stream = deflated(noise.substr(0, length), true);
+    }
+    ASSERT_EQ(stream.size(), noise.size() - before);
+    const std::string data = stream + deflated("second", true);
     folder.write("data.gz", data);
     const auto path = folder.write(
         "a.nhdr",
@@ -125,11 +129,19 @@ TEST(Nrrd, ADataFileLongerThanItsSamplesIsRefusedUnlessTheHeaderSaysWhereTheyBeg
     folder.write("data.bin", packed(encoding, shorts + "!"));
     const auto stated = folder.write("stated.nhdr", header + "byte skip: 0\ndata file: data.bin\n");
     expect_oblique(volume_of(stated));
-    expect_notes(read_volume(stated), stated, {"1 byte after its samples in 'data.bin' was left out"});
+    expect_notes(read_volume(stated), stated, {"'data.bin' has 1 byte after its samples, which were not used"});
     const auto attached = folder.write("attached.nrrd", header + "\n" + packed(encoding, shorts + "more"));
     expect_oblique(volume_of(attached));
-    expect_notes(read_volume(attached), attached, {"4 bytes after its samples in 'attached.nrrd' were left out"});
+    expect_notes(read_volume(attached), attached,
+                 {"'attached.nrrd' has 4 bytes after its samples, which were not used"});
   }
+}
+
+TEST(Nrrd, NumbersThatFollowTextSamplesAreNoted) {
+  const TestFolder folder;
+  const auto path = folder.write("a.nrrd", nrrd_header("short", "text") + "\n" + text_of_samples() + " 7\n");
+  expect_oblique(volume_of(path));
+  expect_notes(read_volume(path), path, {"'a.nrrd' has numbers after its samples"});
 }
 
 /// Header lines, and the lattice that they make.
@@ -176,6 +188,11 @@ TEST(Nrrd, UnitsOfLength) {
                 "RAS"});
   expect_place({"spacings: 12 12 1\nunits: \"um\" \"um\" \"mm\"\n", {0.012, 0.012, 1.0}, {0.0, 0.0, 0.0}});
   expect_place({"spacings: 0.1 0.1 0.1\nunits: \"cm\" \"cm\" \"cm\"\n", {1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}});
+  expect_place({"spacings: 12 12 12\nspace: RAS\nspace units: \"cm\" \"cm\" \"um\"\naxis mins: 1 1 1\n",
+                {120.0, 120.0, 0.012},
+                {10.0, 10.0, 0.001},
+                "RAS",
+                {"no space directions"}});
   expect_place({("space: LPS\nunits: \"um\" \"um\" \"um\"\n" + directions).c_str(),
                 1e-3 * steps,
                 1e-3 * first,
@@ -399,7 +416,7 @@ TEST(Nrrd, ImagesOfTwoDimensionsAreOneSlice) {
   choice.component = 1;
   EXPECT_EQ(floats_of(volume_of(colours, choice)), (std::vector<float>{'b', 'e', 'h', 'k'}));
   expect_data_error(folder.write("c.nrrd", "NRRD0001\ntype: uchar\ndimension: 1\nsizes: 3\nencoding: raw\n\nabc"),
-                    "1 of its 1 axes is space");
+                    "1 of the 1 axes of its array is space");
 }
 
 TEST(Nrrd, HeadersInOtherSpellings) {
