@@ -35,7 +35,7 @@ SampleType type_of(const MetaImageHeader& header) {
                               header.path.string(), stated.substr(0, 60)));
 }
 
-DataLayout layout_of(const MetaImageHeader& header) {
+DataLayout layout_of(MetaImageHeader& header) {
   constexpr double most_skipped = 1e15;
   DataLayout layout;
   layout.is_text = !header.flag({"BinaryData"}, true);

@@ -11,7 +11,6 @@
 namespace isobench {
 namespace {
 
-const std::string voxels = bytes_of_samples<std::int16_t>(samples());
 constexpr std::size_t bytes_a_slice = std::size_t{2} * nx * ny;
 const std::string short_type = "ElementType = MET_SHORT\n";
 
@@ -34,12 +33,12 @@ TEST(MetaImage, KeysInOtherSpellingsAndComments) {
     other.erase(std::remove(other.begin(), other.end(), ' '), other.end());
     header.replace(header.find(key), std::string(key).size(), other);
   }
-  const auto path = folder.write("a.mha", header + voxels);
+  const auto path = folder.write("a.mha", header + shorts);
   expect_oblique(volume_of(path));
   expect_notes(read_volume(path), path, {});
   std::string windows;
   for (const char c : header) windows += c == '\n' ? "\r\n" : std::string(1, c);
-  expect_oblique(volume_of(folder.write("b.mha", windows + voxels)));
+  expect_oblique(volume_of(folder.write("b.mha", windows + shorts)));
 }
 
 TEST(MetaImage, NamesOfPlaceAndOrientation) {
@@ -49,7 +48,7 @@ TEST(MetaImage, NamesOfPlaceAndOrientation) {
       std::string header = metaimage_header(short_type + "ElementDataFile = LOCAL");
       header.replace(header.find("Offset"), 6, offset);
       header.replace(header.find("TransformMatrix"), 15, matrix);
-      expect_oblique(volume_of(folder.write("a.mha", header + voxels)));
+      expect_oblique(volume_of(folder.write("a.mha", header + shorts)));
     }
   }
 }
@@ -60,7 +59,7 @@ TEST(MetaImage, SpacingSizeAndUnits) {
   const auto read = [&](const std::string& more, const Eigen::Vector3d& expected,
                         const std::vector<std::string>& notes) {
     SCOPED_TRACE(more);
-    const auto path = folder.write("a.mha", bare(3, "7 6 5", more) + end + voxels);
+    const auto path = folder.write("a.mha", bare(3, "7 6 5", more) + end + shorts);
     const VolumeFile file = read_volume(path);
     EXPECT_LT((file.volume.lattice.spacing - expected).norm(), 1e-12);
     expect_notes(file, path, notes);
@@ -78,7 +77,7 @@ TEST(MetaImage, LettersOfTheOrientationAreCheckedOnly) {
   const TestFolder folder;
   const std::string end = "ElementSpacing = 1 1 1\n" + short_type + "ElementDataFile = LOCAL\n";
   const auto notes = [&](const std::string& more) {
-    return read_volume(folder.write("a.mha", bare(3, "7 6 5", more) + end + voxels)).notes;
+    return read_volume(folder.write("a.mha", bare(3, "7 6 5", more) + end + shorts)).notes;
   };
   for (const char* letters : {"RAI", "LPS", "rai", "???", ""})
     EXPECT_TRUE(notes(fmt::format("AnatomicalOrientation = {}\n", letters)).empty()) << letters;
@@ -139,7 +138,7 @@ TEST(MetaImage, ChannelsAndSteps) {
   const auto one = folder.write("c.mha", bare(4, "7 6 5 1",
                                               "ElementSpacing = 1 1 1 1\nElementNumberOfChannels = 1\n" + short_type +
                                                   "ElementDataFile = LOCAL\n") +
-                                             voxels);
+                                             shorts);
   EXPECT_EQ(floats_of(volume_of(one)), samples());
 }
 
@@ -148,7 +147,7 @@ TEST(MetaImage, ImagesOfTwoDimensionsAreOneSlice) {
   const auto path = folder.write("a.mha", bare(2, "7 6",
                                                "ElementSpacing = 4 9\nOffset = 1 2\nTransformMatrix = 0 1 -1 0\n" +
                                                    short_type + "ElementDataFile = LOCAL\n") +
-                                              voxels.substr(0, bytes_a_slice));
+                                              shorts.substr(0, bytes_a_slice));
   const VolumeFile file = read_volume(path);
   EXPECT_EQ(file.volume.lattice.size, (std::array<int, 3>{nx, ny, 1}));
   EXPECT_LT((file.volume.lattice.spacing - Eigen::Vector3d(4.0, 9.0, 6.0)).norm(), 1e-12);
@@ -160,7 +159,7 @@ TEST(MetaImage, ImagesOfTwoDimensionsAreOneSlice) {
 TEST(MetaImage, DataFilesListsAndPatterns) {
   const TestFolder folder;
   for (int k = 0; k < nz; ++k) {
-    const std::string slice = voxels.substr(bytes_a_slice * static_cast<std::size_t>(k), bytes_a_slice);
+    const std::string slice = shorts.substr(bytes_a_slice * static_cast<std::size_t>(k), bytes_a_slice);
     folder.write(fmt::format("s{:02d}.raw", k), slice);
     folder.write(fmt::format("t{}.raw", k + 1), slice);
     folder.write(fmt::format("r{}", 20 - 5 * k), slice);
@@ -195,7 +194,7 @@ TEST(MetaImage, FilesOfSeriesAndOfChannels) {
   std::string lists;
   std::string slices;
   for (std::size_t n = 0; n < 3; ++n) {
-    folder.write(fmt::format("step{}", n), all.substr(voxels.size() * n, voxels.size()));
+    folder.write(fmt::format("step{}", n), all.substr(shorts.size() * n, shorts.size()));
     lists += fmt::format("step{}\n", n);
   }
   for (std::size_t n = 0; n < 15; ++n) {
@@ -207,7 +206,8 @@ TEST(MetaImage, FilesOfSeriesAndOfChannels) {
   for (const std::string& files :
        {"LIST\n" + lists, "LIST 3\n" + lists, "LIST 2\n" + slices, std::string("step%d 0 2 1")}) {
     SCOPED_TRACE(files.substr(0, 6));
-    const auto path = folder.write("a.mhd", bare(4, "7 6 5 3", short_type + "ElementDataFile = " + files));
+    const auto path =
+        folder.write("a.mhd", bare(4, "7 6 5 3", fmt::format("ElementType = MET_SHORT\nElementDataFile = {}", files)));
     EXPECT_EQ(floats_of(volume_of(path, step)), samples_at(2));
   }
   const std::string colours = bytes_with_axis(0, 2);
@@ -222,16 +222,16 @@ TEST(MetaImage, FilesOfSeriesAndOfChannels) {
 
 TEST(MetaImage, HeaderSizesAndDataThatAreLonger) {
   const TestFolder folder;
-  folder.write("long.raw", "header" + voxels);
+  folder.write("long.raw", "header" + shorts);
   expect_oblique(volume_of(mhd(folder, "HeaderSize = 6\n", "long.raw")));
   expect_oblique(volume_of(mhd(folder, "HeaderSize = -1\n", "long.raw")));
   expect_data_error(mhd(folder, "", "long.raw"), "write 'HeaderSize = -1' into the header if they are its last bytes");
-  folder.write("tail.raw", voxels + "xx");
+  folder.write("tail.raw", shorts + "xx");
   const auto stated = mhd(folder, "HeaderSize = 0\n", "tail.raw");
   expect_oblique(volume_of(stated));
-  expect_notes(read_volume(stated), stated, {"2 bytes after its samples in 'tail.raw' were left out"});
+  expect_notes(read_volume(stated), stated, {"'tail.raw' has 2 bytes after its samples, which were not used"});
   // A header over a .nii.gz.
-  folder.write("v.nii.gz", deflated(std::string(352, 'h') + voxels, true));
+  folder.write("v.nii.gz", deflated(std::string(352, 'h') + shorts, true));
   expect_oblique(volume_of(mhd(folder, "CompressedData = True\nHeaderSize = -1\n", "v.nii.gz")));
   expect_data_error(mhd(folder, "CompressedData = True\n", "v.nii.gz"), "is 352 bytes longer than its samples");
   folder.write("text.txt", "header" + text_of_samples());
@@ -276,13 +276,13 @@ TEST(MetaImage, HeadersThatAreWrong) {
   const TestFolder folder;
   for (const Wrong& wrong : wrongs) {
     SCOPED_TRACE(wrong.header);
-    expect_data_error(folder.write("a.mha", wrong.header + voxels), wrong.message);
+    expect_data_error(folder.write("a.mha", wrong.header + shorts), wrong.message);
   }
   const auto scaled = folder.write(
-      "b.mha", bare(3, "7 6 5", "ElementSpacing = 1 1 1\nElementToIntensityFunctionSlope = 2\n" + end) + voxels);
+      "b.mha", bare(3, "7 6 5", "ElementSpacing = 1 1 1\nElementToIntensityFunctionSlope = 2\n" + end) + shorts);
   expect_notes(read_volume(scaled), scaled, {"was not applied"});
   const auto twice =
-      folder.write("c.mha", bare(3, "7 6 4", "ElementSpacing = 1 1 1\nDimSize = 7 6 5\nNDims = 3\n" + end) + voxels);
+      folder.write("c.mha", bare(3, "7 6 4", "ElementSpacing = 1 1 1\nDimSize = 7 6 5\nNDims = 3\n" + end) + shorts);
   EXPECT_EQ(floats_of(volume_of(twice)), samples());
   expect_notes(read_volume(twice), twice, {"has the key 'dimsize' twice; '7 6 5' was taken, not '7 6 4'"});
 }

@@ -104,8 +104,11 @@ std::vector<ArrayAxis> nrrd_axes(NrrdHeader& header, const NrrdSpace& space) {
   }
   const std::size_t count = indices_of(axes, AxisKind::space).size();
   if (count < 2 || count > 3) {
-    throw DataError(fmt::format("{}: {} of its {} axes {} space, but a 3-D volume has three and a slice has two",
-                                header.path.string(), count, dimension, count == 1 ? "is" : "are"));
+    throw DataError(
+        fmt::format("{}: {} of the {} axes of its array {} space, but a volume has three such axes and a slice has "
+                    "two; correct its "
+                    "header",
+                    header.path.string(), count, dimension, count == 1 ? "is" : "are"));
   }
   // A list of vectors: the list is chosen as steps are.
   std::vector<std::size_t> components = indices_of(axes, AxisKind::component);

@@ -8,10 +8,9 @@
 namespace isobench {
 namespace {
 
-const std::string words = bytes_of_samples<std::int16_t>(samples());
 constexpr std::size_t slice_bytes = std::size_t{2} * nx * ny;
 
-std::string slice_of(int k) { return words.substr(slice_bytes * static_cast<std::size_t>(k), slice_bytes); }
+std::string slice_of(int k) { return shorts.substr(slice_bytes * static_cast<std::size_t>(k), slice_bytes); }
 
 /// Writes a slice a file, with the names that the pattern of fmt makes.
 void write_slices(const TestFolder& folder, const std::string& pattern, const std::string& before = "",
@@ -50,7 +49,7 @@ TEST(NrrdFiles, PartsOfSeveralSlicesAndOfSeries) {
   // Files of the array's own dimension share its slowest axis: here five files of one slice each, or one file.
   write_slices(folder, "s{}.raw");
   expect_oblique(volume_of(nhdr(folder, "data file: s%d.raw 0 4 1 3\n")));
-  folder.write("all1.raw", words);
+  folder.write("all1.raw", shorts);
   expect_oblique(volume_of(nhdr(folder, "data file: all%d.raw 1 1 1 3\n")));
   const std::string four =
       "NRRD0004\ntype: short\ndimension: 4\nsizes: 7 6 5 4\nspacings: 1 1 1 nan\nkinds: domain domain domain "
@@ -62,9 +61,9 @@ TEST(NrrdFiles, PartsOfSeveralSlicesAndOfSeries) {
     // Two steps a file, one step a file, one slice a file. Files of other steps are not read, but must be there.
     for (int n = 0; n < 2; ++n)
       folder.write(fmt::format("two{}", n),
-                   all.substr(2 * words.size() * static_cast<std::size_t>(n), 2 * words.size()));
+                   all.substr(2 * shorts.size() * static_cast<std::size_t>(n), 2 * shorts.size()));
     for (int n = 0; n < 4; ++n)
-      folder.write(fmt::format("one{}", n), all.substr(words.size() * static_cast<std::size_t>(n), words.size()));
+      folder.write(fmt::format("one{}", n), all.substr(shorts.size() * static_cast<std::size_t>(n), shorts.size()));
     for (std::size_t n = 0; n < 20; ++n)
       folder.write(fmt::format("slice{:02d}", n), all.substr(slice_bytes * n, slice_bytes));
     for (const char* files : {"two%d 0 1 1 4", "one%d 0 3 1", "one%d 0 3 1 3", "slice%02d 0 19 1 2"}) {
@@ -171,7 +170,7 @@ TEST(NrrdFiles, HeadersThatAreWrong) {
       {"space directions", "space directions: (1,0,0) (0,x,0) (0,0,1)", "numbers are expected"},
       {"space directions", "space directions: (1,0,0) (0,0,0) (0,0,1)", "must be > 0"},
       {"space directions", "space directions: (1,0,0) (0,inf,0) (0,0,1)", "must be > 0"},
-      {"space directions", "space directions: (1,0,0) none none", "1 of its 3 axes is space"},
+      {"space directions", "space directions: (1,0,0) none none", "1 of the 3 axes of its array is space"},
       {"space directions", "space directions: (1,0,0) (0,1,0) (1,1,0)", "nearly in a plane"},
       {"space origin", "space origin: (0,0)", "is not one point of its space"},
       {"space origin", "space origin: (0,0,0) (0,0,0)", "is not one point of its space"},
@@ -191,23 +190,23 @@ TEST(NrrdFiles, HeadersThatAreWrong) {
       header.erase(at, header.find('\n', at) + 1 - at);
     }
     if (*wrong.add != '\0') header += std::string(wrong.add) + "\n";
-    expect_data_error(folder.write("a.nrrd", header + "\n" + words), wrong.message);
+    expect_data_error(folder.write("a.nrrd", with_data(header, shorts)), wrong.message);
   }
   for (const char* encoding : {"ascii", "hex"}) {
     expect_data_error(folder.write("a.nrrd", nrrd_header("short", encoding) + "byte skip: -1\n\n1 2 3"),
                       "a byte skip below 0 is not possible");
   }
-  expect_data_error(folder.write("a.nrrd", nrrd_header("short", "hex") + "\n" + hex_text(words) + "0"), "stop before");
-  expect_data_error(folder.write("a.nrrd", nrrd_header("short", "hex") + "\n0g" + hex_text(words)),
+  expect_data_error(folder.write("a.nrrd", nrrd_header("short", "hex") + "\n" + hex_text(shorts) + "0"), "stop before");
+  expect_data_error(folder.write("a.nrrd", nrrd_header("short", "hex") + "\n0g" + hex_text(shorts)),
                     "no hexadecimal digit");
-  expect_data_error(folder.write("a.nrrd", nrrd_header("short", "bzip2") + "\n" + bzipped(words).substr(0, 60)), "");
+  expect_data_error(folder.write("a.nrrd", nrrd_header("short", "bzip2") + "\n" + bzipped(shorts).substr(0, 60)), "");
   expect_data_error(folder.write("a.nrrd", "NRRD0006\n" + nrrd_header("short", "raw").substr(9)), "versions 1 to 5");
   expect_data_error(folder.write("a.nrrd", "NRRD0004\nkey:=" + std::string(std::size_t{2} << 20U, 'x')), "has no end");
   std::string five = nrrd_header("short", "raw");
   five.replace(five.find("dimension: 3"), 12, "dimension: 5");
   five.replace(five.find("sizes: 7 6 5"), 12, "sizes: 7 6 5 2 2");
   five.replace(five.find("\nspace origin"), 1, " none none\n");
-  expect_data_error(folder.write("a.nrrd", five + "\n" + words), "two axes of steps");
+  expect_data_error(folder.write("a.nrrd", five + "\n" + shorts), "two axes of steps");
 }
 
 TEST(NrrdFiles, HostileSizesTakeNoMemory) {
@@ -222,7 +221,7 @@ TEST(NrrdFiles, HostileSizesTakeNoMemory) {
                                  : encoding == "bzip2" ? bzipped("1234")
                                                        : "1234";
         SCOPED_TRACE(encoding + sizes + skip);
-        expect_data_error(folder.write("a.nrrd", header + "\n" + data), "truncated");
+        expect_data_error(folder.write("a.nrrd", with_data(header, data)), "truncated");
       }
     }
   }

@@ -39,8 +39,9 @@ class AxisFieldsReader {
         units_(header.words("units", dimension)),
         centerings_(header.words("centerings", dimension)) {}
 
-  AxisFields read(std::size_t axis, long long size) const {
-    const double unit = units_.empty() ? 1.0 : unit_in_mm(units_[axis], header_.path);
+  /// `unit` is that of the space's axis, for files that have only it.
+  AxisFields read(std::size_t axis, long long size, double unit) const {
+    if (!units_.empty()) unit = unit_in_mm(units_[axis], header_.path);
     AxisFields fields{unit * spacings_[axis], unit * thicknesses_[axis], unit * mins_[axis],
                       unit * maxs_[axis],     Centering::unknown,        static_cast<double>(size - 1)};
     const std::string centering = centerings_.empty() ? "" : lower_case(centerings_[axis]);
@@ -122,9 +123,9 @@ Placement placed_by_axes(NrrdHeader& header, const NrrdSpace& space, const std::
   const AxisFieldsReader reader(header, axes.size());
   for (std::size_t n = 0; n < axes.size(); ++n) {
     if (axes[n].kind != AxisKind::space) continue;
-    AxisFields fields = reader.read(n, axes[n].size);
-    complete_axis(fields, n, header);
     const auto axis = static_cast<Eigen::Index>(placement.steps.size());
+    AxisFields fields = reader.read(n, axes[n].size, space.units[axis]);
+    complete_axis(fields, n, header);
     placement.steps.push_back(space.flip[axis] * fields.spacing * Eigen::Vector3d::Unit(axis));
     placement.origin[axis] = space.flip[axis] * first_sample(fields);
   }

@@ -152,7 +152,8 @@ NrrdSpace nrrd_space(NrrdHeader& header, std::size_t dimension) {
     }
   }
   for (const std::vector<double>& vector : directions) space.directions.push_back(direction_of(header, space, vector));
-  const Eigen::Vector3d factor = space.flip.cwiseProduct(space_units(header, space, dimension));
+  space.units = space_units(header, space, dimension);
+  const Eigen::Vector3d factor = space.flip.cwiseProduct(space.units);
   for (auto& direction : space.directions) {
     if (direction) direction->step = factor.cwiseProduct(direction->step);
   }

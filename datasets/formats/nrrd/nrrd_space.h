@@ -12,9 +12,10 @@
 namespace isobench {
 
 struct NrrdSpace {
-  std::string axes;                                ///< "RAS", "LPS" or "", as in Lattice
-  Eigen::Vector3d flip = Eigen::Vector3d::Ones();  ///< -1 where `axes` are a mirror image of the file's
-  std::size_t dimension = 0;                       ///< 0 without a space; beyond 3, the last is time
+  std::string axes;                                 ///< "RAS", "LPS" or "", as in Lattice
+  Eigen::Vector3d flip = Eigen::Vector3d::Ones();   ///< -1 where `axes` are a mirror image of the file's
+  std::size_t dimension = 0;                        ///< 0 without a space; beyond 3, the last is time
+  Eigen::Vector3d units = Eigen::Vector3d::Ones();  ///< how many mm the space's units have
   /// What an axis of the array moves in space. In a space of four dimensions, an axis may move in time only.
   struct Direction {
     Eigen::Vector3d step = Eigen::Vector3d::Zero();  ///< mm

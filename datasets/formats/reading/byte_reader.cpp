@@ -28,8 +28,7 @@ ByteReader::~ByteReader() = default;
 
 void ByteReader::check_complete() const {
   if (!stream_->is_complete()) {
-    throw DataError(path().string() +
-                    ": truncated: its compressed data stop before their end; copy or export it again");
+    throw DataError(path().string() + ": truncated: its data stop before their end; copy or export it again");
   }
 }
 
@@ -103,7 +102,7 @@ void ByteReader::finish() {
   surplus_ = skip(most_surplus);
   if (surplus_ == most_surplus) {
     throw DataError(path().string() +
-                    ": its compressed data go on long after the samples that its header states; export it again");
+                    ": its data go on long after the samples that its header states; export it again");
   }
   check_complete();
 }

@@ -100,7 +100,10 @@ class DataFilesReader {
         layout_.is_at_end ? bytes_before(begin, layout_.encoding, bytes + layout_.after) : layout_.unpacked;
     ByteReader reader(begin.path, layout_.encoding, begin.offset);
     reader.skip(skipped);
-    if (layout_.is_text) return read_text_samples(reader, axes, samples_);
+    if (layout_.is_text) {
+      if (read_text_samples(reader, axes, samples_)) note_rest(file, "numbers");
+      return;
+    }
     if (layout_.encoding == Encoding::plain && reader.possible_bytes() > bytes)
       check_surplus(file, reader.possible_bytes() - bytes);
     read_samples(reader, axes, layout_.order, samples_);
@@ -112,16 +115,19 @@ class DataFilesReader {
     if (surplus == 0 || layout_.is_at_end) return;
     const std::string name = file.path.filename().string();
     if (!data_.is_attached && !layout_.begin_is_stated) {
-      throw DataError(
-          fmt::format("{}: its data file '{}' is {} byte{} longer than its samples, so where they begin is not known; "
-                      "write '{}' into "
-                      "the header if they are its last bytes, '{}' if they are its first",
-                      data_.header.string(), name, surplus, surplus == 1 ? "" : "s", layout_.at_end, layout_.at_begin));
+      throw DataError(fmt::format(
+          "{}: its data file '{}' is {} byte{} longer than its samples, so where they begin is not known; write '{}' "
+          "into the header if they are its last bytes, '{}' if they are its first",
+          data_.header.string(), name, surplus, surplus == 1 ? "" : "s", layout_.at_end, layout_.at_begin));
     }
+    note_rest(file, fmt::format("{} byte{}", surplus, surplus == 1 ? "" : "s"));
+  }
+
+  void note_rest(const DataFile& file, const std::string& rest) {
     if (is_noted_) return;
     is_noted_ = true;
-    notes_.push_back(printable(fmt::format("{}: {} byte{} after its samples in '{}' {} left out", data_.header.string(),
-                                           surplus, surplus == 1 ? "" : "s", name, surplus == 1 ? "was" : "were")));
+    notes_.push_back(printable(fmt::format("{}: '{}' has {} after its samples, which were not used",
+                                           data_.header.string(), file.path.filename().string(), rest)));
   }
 
   const VolumeData& data_;

@@ -128,7 +128,7 @@ T number_in(std::string_view word, const std::filesystem::path& path) {
 }
 
 template <class T>
-void read_text(ByteReader& reader, Runs runs, std::vector<T>& samples) {
+bool read_text(ByteReader& reader, Runs runs, std::vector<T>& samples) {
   const std::uintmax_t possible = reader.possible_bytes() / 2 + 1;  // a digit and a blank each
   if (possible < runs.samples()) throw_truncated(reader.path(), static_cast<std::size_t>(possible), runs.samples());
   reserve_values(samples, runs.kept(), reader.encoding());
@@ -142,7 +142,9 @@ void read_text(ByteReader& reader, Runs runs, std::vector<T>& samples) {
       if (is_kept) samples.push_back(number);
     }
   }
+  const bool more = words.next().has_value();
   reader.finish();
+  return more;
 }
 
 }  // namespace
@@ -156,13 +158,13 @@ void read_samples(ByteReader& reader, std::span<const FileAxis> axes, ByteOrder 
   samples.visit([&](auto& values) { read_binary(reader, Runs(axes), order, values); });
 }
 
-void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples) {
+bool read_text_samples(ByteReader& reader, std::size_t count, Samples& samples) {
   const FileAxis axis{count};
-  read_text_samples(reader, std::span(&axis, 1), samples);
+  return read_text_samples(reader, std::span(&axis, 1), samples);
 }
 
-void read_text_samples(ByteReader& reader, std::span<const FileAxis> axes, Samples& samples) {
-  samples.visit([&](auto& values) { read_text(reader, Runs(axes), values); });
+bool read_text_samples(ByteReader& reader, std::span<const FileAxis> axes, Samples& samples) {
+  return samples.visit([&](auto& values) { return read_text(reader, Runs(axes), values); });
 }
 
 void reserve_samples(Samples& samples, std::size_t count, Encoding encoding) {

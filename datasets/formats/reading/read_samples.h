@@ -30,8 +30,9 @@ void read_samples(ByteReader& reader, std::size_t count, ByteOrder order, Sample
 void read_samples(ByteReader& reader, std::span<const FileAxis> axes, ByteOrder order, Samples& samples);
 
 /// The same for numbers written as text. Throws DataError, too, for a word that is not a number of the samples' type.
-void read_text_samples(ByteReader& reader, std::size_t count, Samples& samples);
-void read_text_samples(ByteReader& reader, std::span<const FileAxis> axes, Samples& samples);
+/// Returns whether more words follow.
+bool read_text_samples(ByteReader& reader, std::size_t count, Samples& samples);
+bool read_text_samples(ByteReader& reader, std::span<const FileAxis> axes, Samples& samples);
 
 /// Takes addresses for so many more samples, so that they need not be moved as they arrive. Bzip2 can compress a
 /// million times: for its data, memory is taken at once only up to 1 GiB.

@@ -31,6 +31,20 @@ inline std::string hex_text(const std::string& bytes) {
   return text;
 }
 
+/// The small volume's samples as numbers of 16 bits.
+inline const std::string shorts = bytes_of_samples<std::int16_t>(samples());
+
+/// A header, the empty line that ends it, and what follows.
+inline std::string with_data(const std::string& header, const std::string& data) {
+  return fmt::format("{}\n{}", header, data);
+}
+
+/// An NRRD header of shorts on the small lattice, without its place.
+inline std::string plain_nrrd(const std::string& more, const std::string& encoding = "raw") {
+  return fmt::format("NRRD0005\ntype: short\ndimension: 3\nsizes: {} {} {}\nendian: little\nencoding: {}\n{}", nx, ny,
+                     nz, encoding, more);
+}
+
 /// The sample of the small volume at the place `other` of an axis that is not space.
 inline std::int16_t sample_at(int i, int j, int k, int other) {
   return static_cast<std::int16_t>(sample_at(i, j, k) + 1000.0F * static_cast<float>(other));
