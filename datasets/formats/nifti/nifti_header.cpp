@@ -53,7 +53,8 @@ NiftiFields analyze_fields(const std::string& bytes, ByteOrder order) {
   fields_at<float>(bytes, 76, order, fields.pixdim.data(), 8);
   fields.offset = value_at<float>(bytes, 108, order);
   fields.slope = value_at<float>(bytes, 112, order);  // unused in ANALYZE; SPM keeps a scale factor there
-  fields.unit_name = trimmed(std::string(bytes, 56, 4).c_str());
+  const std::string unit(bytes, 56, 4);
+  fields.unit_name = trimmed(unit.substr(0, unit.find('\0')));
   return fields;
 }
 

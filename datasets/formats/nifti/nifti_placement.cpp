@@ -142,7 +142,7 @@ Placement settled(const Placement& sform, const std::optional<Placement>& qform,
 
 Placement placement_of(const NiftiFields& fields, double unit, const Eigen::Vector3d& voxel,
                        const std::filesystem::path& path, std::vector<std::string>& notes) {
-  const Placement unplaced{voxel.asDiagonal(), Eigen::Vector3d::Zero(), false};
+  Placement unplaced{voxel.asDiagonal(), Eigen::Vector3d::Zero(), false};
   if (fields.kind == NiftiKind::analyze) {
     notes.push_back(path.string() +
                     ": it is an ANALYZE 7.5 file, which states neither where it lies nor which side is left; its first "

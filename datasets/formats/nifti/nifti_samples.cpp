@@ -145,14 +145,15 @@ SampleType nifti_sample_type(const NiftiFields& fields, const std::filesystem::p
 
 std::vector<FileAxis> nifti_axes(const NiftiFields& fields, const VolumeChoice& choice,
                                  const std::filesystem::path& path) {
-  double steps = static_cast<double>(fields.size(3));
+  auto steps = static_cast<double>(fields.size(3));
   double components = 1.0;
   for (const std::size_t axis : {4U, 5U, 6U}) components *= static_cast<double>(std::max(fields.size(axis), 0LL));
   // Vectors belong to the fifth axis; some programs leave out the fourth one.
   if (components == 1.0 && is_of_vectors(fields)) std::swap(steps, components);
   std::vector<FileAxis> axes;
-  double samples = static_cast<double>(parts_of_colour(fields));
-  if (samples > 1.0) axes.push_back({parts_of_colour(fields), part_of_colour(fields, choice, path)});
+  const bool has_colours = parts_of_colour(fields) > 1;
+  auto samples = static_cast<double>(parts_of_colour(fields));
+  if (has_colours) axes.push_back({parts_of_colour(fields), part_of_colour(fields, choice, path)});
   for (const std::size_t axis : {0U, 1U, 2U}) {
     axes.push_back({static_cast<std::size_t>(size_in(static_cast<double>(fields.size(axis))))});
     samples *= static_cast<double>(fields.size(axis));
@@ -163,9 +164,13 @@ std::vector<FileAxis> nifti_axes(const NiftiFields& fields, const VolumeChoice& 
         fmt::format("{}: {} steps and {} components cannot be; the header is damaged, copy or export it again",
                     path.string(), steps, components));
   }
+  if (axes.back().size == 1 && fields.size(0) == 1 && fields.size(1) == 1 && steps * components > 1.0) {
+    throw DataError(path.string() +
+                    ": it holds no volume but values of a single place, as CIFTI files do; give a volume of the image");
+  }
   const auto number = [](double size) { return static_cast<std::size_t>(size_in(size)); };
   axes.push_back({number(steps), place_on_axis(choice.step, number(steps), "step", path)});
-  if (axes.size() == 4) {
+  if (!has_colours) {
     axes.push_back({number(components), place_on_axis(choice.component, number(components), "component", path)});
   } else if (components > 1.0) {
     throw DataError(path.string() + ": its samples are vectors of colours; convert it to a volume of scalars");

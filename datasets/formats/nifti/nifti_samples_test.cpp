@@ -77,6 +77,13 @@ TEST(NiftiComponents, VectorsWantAChoice) {
   expect_part(volume_without_note(named, chosen({}, 1)), 1);
 }
 
+TEST(NiftiComponents, ValuesOfASinglePlaceAreNoVolume) {
+  const TestFolder folder;
+  NiftiHeader header = series({1, 7, 30});
+  for (const std::size_t at : {42U, 44U, 46U}) header.put<std::int16_t>(at, 1);
+  expect_data_error(folder.write("a.dscalar.nii", header.bytes() + shorts(0)), "as CIFTI files do", chosen(0, 0));
+}
+
 TEST(NiftiColours, APartOfThemIsChosen) {
   const TestFolder folder;
   for (const std::size_t parts : {3U, 4U}) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "isobench/datasets/formats/nifti/nifti_header.h"
 #include "isobench/datasets/formats/nifti/nifti_placement.h"
@@ -39,39 +40,41 @@ PairName pair_name(const std::filesystem::path& path) {
   return {rest.substr(0, rest.size() - ending.size()), ending, compression};
 }
 
-/// The other file of a pair. It may be compressed or not, in small or in capital letters. The path is the likeliest one
-/// if there is none.
-std::filesystem::path partner_of(const std::filesystem::path& path, const std::string& ending, bool& exists) {
+/// What the other file of a pair may be called, the likeliest name first: it may be compressed or not, and in small or
+/// in capital letters.
+std::vector<std::filesystem::path> partners_of(const std::filesystem::path& path, const std::string& ending) {
   const PairName name = pair_name(path);
-  const bool capitals = name.ending != lower_case(name.ending);
-  const std::string in_capitals = ending == ".hdr" ? ".HDR" : ".IMG";
-  const std::string same = capitals ? in_capitals : ending;
-  const std::string other = capitals ? ending : in_capitals;
-  exists = true;
-  for (const std::string& one : {same, other}) {
-    for (const std::string& compression : {name.compression, std::string(name.compression.empty() ? ".gz" : "")}) {
-      const std::filesystem::path partner = name.stem + one + compression;
-      std::error_code error;
-      if (std::filesystem::is_regular_file(partner, error)) return partner;
-    }
+  std::vector<std::string> endings = {ending, ending == ".hdr" ? ".HDR" : ".IMG"};
+  if (name.ending != lower_case(name.ending)) std::swap(endings[0], endings[1]);
+  std::vector<std::filesystem::path> partners;
+  for (const std::string& one : endings) {
+    for (const std::string& compression : {name.compression, std::string(name.compression.empty() ? ".gz" : "")})
+      partners.emplace_back(fmt::format("{}{}{}", name.stem, one, compression));
   }
-  exists = false;
-  return name.stem + same + name.compression;
+  return partners;
+}
+
+std::optional<std::filesystem::path> first_that_exists(const std::vector<std::filesystem::path>& paths) {
+  for (const std::filesystem::path& path : paths) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error)) return path;
+  }
+  return std::nullopt;
 }
 
 /// The file that has the header. A single file of NIfTI may have the ending .img, too.
 std::filesystem::path header_of(const std::filesystem::path& path) {
   if (!pair_name(path).is(".img")) return path;
-  bool exists = false;
-  std::filesystem::path header = partner_of(path, ".hdr", exists);
-  if (exists) return header;
+  const std::vector<std::filesystem::path> headers = partners_of(path, ".hdr");
+  if (auto header = first_that_exists(headers)) return *std::move(header);
   try {
     ByteReader reader(path, encoding_of(path));
     std::vector<std::string> notes;
     if (read_nifti_header(reader, false, notes).kind == NiftiKind::one_file) return path;
   } catch (const DataError&) {  // not a header
   }
-  throw DataError(fmt::format("{}: its header, {}, is missing; put it beside it", path.string(), header.string()));
+  throw DataError(
+      fmt::format("{}: its header, {}, is missing; put it beside it", path.string(), headers.front().string()));
 }
 
 /// The file that has the samples of a header in two files.
@@ -80,10 +83,10 @@ std::filesystem::path samples_of(const std::filesystem::path& path, const std::f
   if (!pair_name(path).is(".hdr")) {
     throw DataError(path.string() + ": its samples are in another file; give it the ending .hdr, and the other .img");
   }
-  bool exists = false;
-  std::filesystem::path samples = partner_of(path, ".img", exists);
-  if (exists) return samples;
-  throw DataError(fmt::format("{}: its samples, {}, are missing; put them beside it", path.string(), samples.string()));
+  const std::vector<std::filesystem::path> images = partners_of(path, ".img");
+  if (auto image = first_that_exists(images)) return *std::move(image);
+  throw DataError(
+      fmt::format("{}: its samples, {}, are missing; put them beside it", path.string(), images.front().string()));
 }
 
 /// The byte at which the samples begin, in a file that has other things at its beginning up to `least`.
