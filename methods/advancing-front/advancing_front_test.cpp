@@ -19,8 +19,8 @@
 namespace isobench {
 namespace {
 
-TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor, std::uint64_t seed = 1,
-                     const std::string& guidance = "shared") {
+TriangleMesh front_mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
+                           std::uint64_t seed = 1, const std::string& guidance = "shared") {
   const Method& m = method("advancing-front");
   Parameters parameters(m.parameters);
   parameters.set(m.parameters, "guidance", guidance);
@@ -67,7 +67,7 @@ TEST_P(AdvancingFrontPhantom, IsClosedOfTheRightTopologyAndWellShaped) {
   const Phantom& p = GetParam();
   const Isosurface surface(sample_phantom(p, 56), 0.0);
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface, adaptive(0.4, 0.3), monitor);
+  const TriangleMesh mesh = front_mesh_of(surface, adaptive(0.4, 0.3), monitor);
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.nonmanifold_edges, 0U);
@@ -92,7 +92,7 @@ TEST(AdvancingFront, EdgesAreAsLongAsAskedOnAverage) {
   const Isosurface surface = surface_of("torus", 64);
   const double length = 1.3 * surface.voxel();
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface, uniform(length), monitor);
+  const TriangleMesh mesh = front_mesh_of(surface, uniform(length), monitor);
   const auto [mean, largest] = edges_over(mesh, [&](const Eigen::Vector3d&) { return length; });
   EXPECT_NEAR(mean, 1.0, 0.05);
   EXPECT_LT(largest, 2.0);  // a connected vertex is at most two edge lengths from the middle of its edge
@@ -104,14 +104,14 @@ TEST(AdvancingFront, EdgesFollowTheSharedFieldOverTheContraction) {
   const SizingRequest request = adaptive(0.25, 0.3);
   Monitor monitor;
   const SizingField field = make_sizing_field(surface, request, monitor);
-  const TriangleMesh mesh = mesh_of(surface, request, monitor);
+  const TriangleMesh mesh = front_mesh_of(surface, request, monitor);
   EXPECT_NEAR(edges_over(mesh, [&](const Eigen::Vector3d& x) { return field.h(x) / 1.5; }).first, 1.0, 0.05);
 }
 
 TEST(AdvancingFront, ItsOwnGuidanceClosesToo) {
   const Isosurface surface = surface_of("torus", 40);
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface, adaptive(0.5, 0.3), monitor, 1, "own");
+  const TriangleMesh mesh = front_mesh_of(surface, adaptive(0.5, 0.3), monitor, 1, "own");
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.euler, 0);
@@ -130,12 +130,12 @@ TEST(AdvancingFront, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
     for (const std::size_t threads : {1U, 2U, 4U}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       Monitor monitor;
-      const TriangleMesh mesh = mesh_of(surface, adaptive(0.5, 0.3), monitor, 7, guidance);
+      const TriangleMesh mesh = front_mesh_of(surface, adaptive(0.5, 0.3), monitor, 7, guidance);
       if (threads == 1U) first = mesh;
       EXPECT_TRUE(same_bytes(mesh, first)) << guidance << ", threads " << threads;
     }
     Monitor monitor;
-    EXPECT_FALSE(same_bytes(mesh_of(surface, adaptive(0.5, 0.3), monitor, 8, guidance), first)) << guidance;
+    EXPECT_FALSE(same_bytes(front_mesh_of(surface, adaptive(0.5, 0.3), monitor, 8, guidance), first)) << guidance;
   }
 }
 
@@ -155,7 +155,7 @@ TEST(AdvancingFront, StartsOnEveryComponentHoweverSmall) {
     }
   }
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(Isosurface(v, 0.0), uniform(2.0), monitor);
+  const TriangleMesh mesh = front_mesh_of(Isosurface(v, 0.0), uniform(2.0), monitor);
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.components, 2U);
   EXPECT_EQ(facts.euler, 4);
@@ -183,7 +183,7 @@ TEST(AdvancingFront, MeshesGrainsBesideALargerSurface) {
   }
   const Isosurface surface(v, 0.0, Inside::above, Kernel::interpolating_bspline);
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface, uniform(4.0), monitor);
+  const TriangleMesh mesh = front_mesh_of(surface, uniform(4.0), monitor);
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.components, 4U);
   EXPECT_EQ(facts.euler, 8);
@@ -209,7 +209,7 @@ TEST(AdvancingFront, ReachesSheetsThatTheLatticeJoinsToOthers) {
   const Isosurface surface(v, 0.0, Inside::above, Kernel::interpolating_bspline);
   Monitor monitor;
   ASSERT_EQ(mesh_facts(marching_cubes(surface, monitor)).components, 1U);
-  const TriangleMesh mesh = mesh_of(surface, uniform(1.0), monitor);
+  const TriangleMesh mesh = front_mesh_of(surface, uniform(1.0), monitor);
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.components, 2U);
   EXPECT_EQ(facts.euler, 4);
@@ -220,7 +220,7 @@ TEST(AdvancingFront, ReportsEveryPlaceThatTheFailsafeHadToClose) {
   // Edges as long as the radius of the tubes: the front cannot close everywhere without the failsafe.
   const Isosurface surface = surface_of("gyroid-ball", 64);
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface, uniform(5.0 * surface.voxel()), monitor);
+  const TriangleMesh mesh = front_mesh_of(surface, uniform(5.0 * surface.voxel()), monitor);
   const auto holes = static_cast<std::size_t>(monitor.counters().at("advancing-front/holes"));
   EXPECT_GT(holes, 0U);
   EXPECT_GT(monitor.counters().at("advancing-front/failsafe"), 0.0);
@@ -244,14 +244,14 @@ TEST(AdvancingFront, SkipsAnObjectThatLeavesTheVolume) {
   }
   const Isosurface surface(v, 0.0);
   Monitor monitor;
-  EXPECT_THROW(mesh_of(surface, uniform(1.0), monitor), Skipped);
+  EXPECT_THROW(front_mesh_of(surface, uniform(1.0), monitor), Skipped);
 }
 
 TEST(AdvancingFront, StopsWhenCancelled) {
   const Isosurface surface = surface_of("sphere", 32);
   Monitor monitor;
   monitor.cancel();
-  EXPECT_THROW(mesh_of(surface, uniform(2.0), monitor), Cancelled);
+  EXPECT_THROW(front_mesh_of(surface, uniform(2.0), monitor), Cancelled);
 }
 
 TEST(AdvancingFront, StopsAtTheMostTriangles) {

@@ -14,8 +14,8 @@
 namespace isobench {
 namespace {
 
-TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
-                     std::uint64_t seed = 1) {
+TriangleMesh cvt_mesh_of(const Isosurface& surface, const SizingRequest& request, Monitor& monitor,
+                         std::uint64_t seed = 1) {
   const Method& m = method("cvt");
   return m.mesh(MeshingTask(surface, request, Parameters(m.parameters), seed), monitor);
 }
@@ -48,7 +48,7 @@ TEST(CvtMethod, MeshesPhantomsClosedAndWellShaped) {
     SCOPED_TRACE(p.name);
     const Isosurface surface(sample_phantom(p, 56), 0.0);
     Monitor monitor;
-    const TriangleMesh mesh = mesh_of(surface, adaptive(0.4, 0.3), monitor);
+    const TriangleMesh mesh = cvt_mesh_of(surface, adaptive(0.4, 0.3), monitor);
     expect_closed(mesh, p);
     const auto [mean, least] = radius_ratios(mesh);
     EXPECT_GE(mean, 0.97);
@@ -63,7 +63,7 @@ TEST(CvtMethod, RefinesWhereSheetsAreNearerThanTheEdgesAreLong) {
   SizingRequest request;
   request.edge_length = 2.0;
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface, request, monitor);
+  const TriangleMesh mesh = cvt_mesh_of(surface, request, monitor);
   expect_closed(mesh, phantom("thin-sheets"));
   EXPECT_GT(monitor.counters().at("cvt/inserted"), 0.0);
   EXPECT_GT(monitor.counters().at("cvt/rounds"), 0.0);
@@ -74,7 +74,7 @@ TEST(CvtMethod, HasTheVerticesAskedFor) {
   SizingRequest request;
   request.vertices = 3000;
   Monitor monitor;
-  const TriangleMesh mesh = mesh_of(surface_of("torus", 48), request, monitor);
+  const TriangleMesh mesh = cvt_mesh_of(surface_of("torus", 48), request, monitor);
   EXPECT_EQ(mesh.vertices.size(), 3000U);
   EXPECT_GE(radius_ratios(mesh).first, 0.98);
 }
@@ -85,13 +85,13 @@ TEST(CvtMethod, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   for (const std::size_t threads : {1U, 2U, 4U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     Monitor monitor;
-    const TriangleMesh mesh = mesh_of(surface, adaptive(0.5, 0.3), monitor, 7);
+    const TriangleMesh mesh = cvt_mesh_of(surface, adaptive(0.5, 0.3), monitor, 7);
     if (threads == 1U) first = mesh;
     EXPECT_EQ(mesh.vertices, first.vertices) << threads;
     EXPECT_EQ(mesh.triangles, first.triangles) << threads;
   }
   Monitor monitor;
-  EXPECT_NE(mesh_of(surface, adaptive(0.5, 0.3), monitor, 8).vertices, first.vertices);
+  EXPECT_NE(cvt_mesh_of(surface, adaptive(0.5, 0.3), monitor, 8).vertices, first.vertices);
 }
 
 }  // namespace

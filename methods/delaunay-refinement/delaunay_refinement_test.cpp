@@ -26,8 +26,8 @@ Parameters with(const Values& values) {
   return parameters;
 }
 
-TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, const Values& values = {},
-                     std::uint64_t seed = 1) {
+TriangleMesh refined_mesh_of(const Isosurface& surface, const SizingRequest& request, const Values& values = {},
+                             std::uint64_t seed = 1) {
   Monitor monitor;
   return method("delaunay-refinement").mesh(MeshingTask(surface, request, with(values), seed), monitor);
 }
@@ -68,7 +68,7 @@ TEST(DelaunayRefinement, MeshesSphereTorusAndTwoBodiesByEveryEngine) {
     const Isosurface surface = surface_of(name, 40);
     for (std::size_t engine = 0; engine < engines().size(); ++engine) {
       SCOPED_TRACE(std::string(name) + ", engine " + std::to_string(engine));
-      const TriangleMesh mesh = mesh_of(surface, with_vertices(2000), engines()[engine]);
+      const TriangleMesh mesh = refined_mesh_of(surface, with_vertices(2000), engines()[engine]);
       expect_right(mesh, phantom(name), surface);
       EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 2000.0, 40.0);
     }
@@ -81,7 +81,7 @@ TEST(DelaunayRefinement, EdgesAreAsLongAsAskedForOnAverage) {
   SizingRequest request;
   request.edge_length = 1.0;
   for (const Values& engine : {Values{}, Values{{"engine", std::string("surface-mesher")}}}) {
-    const TriangleMesh mesh = mesh_of(surface, request, engine);
+    const TriangleMesh mesh = refined_mesh_of(surface, request, engine);
     double sum = 0.0;
     for (const Triangle& t : mesh.triangles) {
       for (std::size_t c = 0; c < 3; ++c) sum += (mesh.vertices[t[c]] - mesh.vertices[t[(c + 1) % 3]]).norm();
@@ -96,7 +96,7 @@ TEST(DelaunayRefinement, FollowsTheFieldOfSizes) {
   request.epsilon = 0.4;
   request.delta = 0.3;
   for (const Values& engine : engines()) {
-    const TriangleMesh mesh = mesh_of(surface, request, engine);
+    const TriangleMesh mesh = refined_mesh_of(surface, request, engine);
     expect_right(mesh, phantom("torus"), surface);
   }
   // With g = 1.5, surface balls have a radius of about h/2. An edge is at most two radii long.
@@ -117,21 +117,21 @@ TEST(DelaunayRefinement, ComesNearerWhereADistanceIsAskedFor) {
   const auto size = [&](double distance) {
     SizingRequest request;
     request.edge_length = 4.0;
-    return mesh_of(surface, request, {{"distance", distance}}).vertices.size();
+    return refined_mesh_of(surface, request, {{"distance", distance}}).vertices.size();
   };
   EXPECT_GT(size(0.05), 2 * size(0.0));
 }
 
 TEST(DelaunayRefinement, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   const Isosurface surface = surface_of("two-spheres", 40);
-  const TriangleMesh first = mesh_of(surface, with_vertices(2000));
+  const TriangleMesh first = refined_mesh_of(surface, with_vertices(2000));
   {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const TriangleMesh again = mesh_of(surface, with_vertices(2000));
+    const TriangleMesh again = refined_mesh_of(surface, with_vertices(2000));
     EXPECT_EQ(first.vertices, again.vertices);
     EXPECT_EQ(first.triangles, again.triangles);
   }
-  EXPECT_NE(first.vertices, mesh_of(surface, with_vertices(2000), {}, 2).vertices);
+  EXPECT_NE(first.vertices, refined_mesh_of(surface, with_vertices(2000), {}, 2).vertices);
 }
 
 TEST(DelaunayRefinement, PromisesTheSameMeshOfMesh3OnOneThreadAlone) {
@@ -145,7 +145,7 @@ TEST(DelaunayRefinement, PromisesTheSameMeshOfMesh3OnOneThreadAlone) {
 TEST(DelaunayRefinement, SaysWhatItCannotDo) {
   const Isosurface surface = surface_of("sphere", 24);
   try {
-    mesh_of(surface, with_vertices(500), {{"parallel", true}, {"engine", std::string("surface-mesher")}});
+    refined_mesh_of(surface, with_vertices(500), {{"parallel", true}, {"engine", std::string("surface-mesher")}});
     FAIL();
   } catch (const Skipped& skipped) {
     EXPECT_NE(std::string(skipped.what()).find("surface-mesher has no parallel variant"), std::string::npos);

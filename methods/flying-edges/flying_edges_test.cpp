@@ -10,7 +10,7 @@
 namespace isobench {
 namespace {
 
-TriangleMesh mesh_of(const Isosurface& surface) {
+TriangleMesh flying_edges_of(const Isosurface& surface) {
   SizingRequest request;
   request.edge_length = 1.0;
   Monitor monitor;
@@ -22,7 +22,7 @@ TEST(FlyingEdgesTest, PhantomsAreClosedAndOutwardAndMeetTheirFigures) {
   for (const Phantom& p : phantoms()) {
     // thin-sheets has rims of 1 mm, which the chords of triangles shorten most: it needs the finer lattice.
     const int nodes = p.name == "thin-sheets" ? 160 : 100;
-    const MeshFacts facts = mesh_facts(mesh_of(Isosurface(sample_phantom(p, nodes), 0.0)));
+    const MeshFacts facts = mesh_facts(flying_edges_of(Isosurface(sample_phantom(p, nodes), 0.0)));
     EXPECT_EQ(facts.open_edges, 0U) << p.name;
     EXPECT_EQ(facts.euler, p.euler) << p.name;
     EXPECT_EQ(facts.components, static_cast<std::size_t>(p.components)) << p.name;
@@ -35,8 +35,8 @@ TEST(FlyingEdgesTest, PhantomsAreClosedAndOutwardAndMeetTheirFigures) {
 
 TEST(FlyingEdgesTest, InsideBelowTurnsTheMeshAround) {
   const FloatVolume volume = sample_phantom(phantom("torus"), 50);
-  const MeshFacts above = mesh_facts(mesh_of(Isosurface(volume, 0.0, Inside::above)));
-  const MeshFacts below = mesh_facts(mesh_of(Isosurface(volume, 0.0, Inside::below)));
+  const MeshFacts above = mesh_facts(flying_edges_of(Isosurface(volume, 0.0, Inside::above)));
+  const MeshFacts below = mesh_facts(flying_edges_of(Isosurface(volume, 0.0, Inside::below)));
   EXPECT_GT(above.volume, 0.0);
   EXPECT_NEAR(below.volume, -above.volume, 1e-3 * above.volume);
 }
@@ -46,7 +46,7 @@ TEST(FlyingEdgesTest, VerticesAreOnLatticeEdgesWhereTheSamplesInterpolateToTheIs
   volume.lattice.spacing = {0.7, 1.0, 1.9};
   const Isosurface surface(volume, 1.5);
   const Lattice& l = volume.lattice;
-  for (const Eigen::Vector3d& x : mesh_of(surface).vertices) {
+  for (const Eigen::Vector3d& x : flying_edges_of(surface).vertices) {
     Eigen::Vector3d u = x.cwiseQuotient(l.spacing);
     Eigen::Index axis = 0;
     (u.array() - u.array().round()).abs().maxCoeff(&axis);
@@ -63,10 +63,10 @@ TEST(FlyingEdgesTest, VerticesAreOnLatticeEdgesWhereTheSamplesInterpolateToTheIs
 TEST(FlyingEdgesTest, TheMeshIsTheSameForAnyNumberOfThreads) {
   ASSERT_TRUE(method("flying-edges").deterministic);
   const Isosurface surface(sample_phantom(phantom("gyroid-ball"), 120), 0.0);
-  const TriangleMesh first = mesh_of(surface);
+  const TriangleMesh first = flying_edges_of(surface);
   for (const std::size_t threads : {1U, 2U, 4U, 4U, 4U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const TriangleMesh mesh = mesh_of(surface);
+    const TriangleMesh mesh = flying_edges_of(surface);
     EXPECT_TRUE(mesh.vertices == first.vertices) << threads;
     EXPECT_TRUE(mesh.triangles == first.triangles) << threads;
   }

@@ -13,7 +13,7 @@
 namespace isobench {
 namespace {
 
-TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request) {
+TriangleMesh remeshed(const Isosurface& surface, const SizingRequest& request) {
   const Method& m = method("isotropic-remeshing");
   Monitor monitor;
   return m.mesh(MeshingTask(surface, request, Parameters(m.parameters), 1), monitor);
@@ -36,7 +36,7 @@ TEST(IsotropicRemeshing, MeshesSphereTorusAndTwoBodies) {
     const Isosurface surface(sample_phantom(phantom(name), 40), 0.0);
     SizingRequest request;
     request.vertices = 2000;
-    const TriangleMesh mesh = mesh_of(surface, request);
+    const TriangleMesh mesh = remeshed(surface, request);
     EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 2000.0, 40.0);
     const MeshFacts facts = mesh_facts(mesh);
     EXPECT_EQ(facts.open_edges, 0U);
@@ -49,7 +49,7 @@ TEST(IsotropicRemeshing, MeshesSphereTorusAndTwoBodies) {
       const Jet jet = surface.value_gradient(x);
       ASSERT_LT(std::abs(jet.value), 1e-5 * surface.voxel() * jet.gradient.norm());
     }
-    EXPECT_EQ(mesh.vertices, mesh_of(surface, request).vertices);
+    EXPECT_EQ(mesh.vertices, remeshed(surface, request).vertices);
   }
 }
 
@@ -88,7 +88,7 @@ TEST(IsotropicRemeshing, JoinsCornersAtOnePlace) {
 
 TEST(IsotropicRemeshing, SkipsASurfaceBetweenNodes) {
   for (const SizingRequest& request : {uniform(0.5), with_vertices(100)})
-    EXPECT_THROW(mesh_of(speck_between_nodes(), request), Skipped);
+    EXPECT_THROW(remeshed(speck_between_nodes(), request), Skipped);
 }
 
 TEST(IsotropicRemeshing, SkipsAdaptiveSizingWithTheReason) {
@@ -97,7 +97,7 @@ TEST(IsotropicRemeshing, SkipsAdaptiveSizingWithTheReason) {
   request.epsilon = 0.5;
   request.delta = 0.3;
   try {
-    mesh_of(surface, request);
+    remeshed(surface, request);
     FAIL();
   } catch (const Skipped& skipped) {
     EXPECT_NE(std::string(skipped.what()).find("edge_length or vertices"), std::string::npos);

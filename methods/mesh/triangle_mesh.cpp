@@ -21,11 +21,13 @@ TriangleMesh flipped_if_mirrored(TriangleMesh mesh, const Lattice& lattice) {
 
 TriangleMesh to_world(TriangleMesh mesh, const Lattice& lattice) {
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex = lattice.to_world(vertex);
+  mesh.space = lattice.space;
   return flipped_if_mirrored(std::move(mesh), lattice);
 }
 
 TriangleMesh to_local(TriangleMesh mesh, const Lattice& lattice) {
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex = lattice.to_local(vertex);
+  mesh.space.clear();
   return flipped_if_mirrored(std::move(mesh), lattice);
 }
 

@@ -17,6 +17,7 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;                           ///< counter-clockwise seen from outside the object
   std::map<std::string, std::vector<double>> vertex_data;    ///< one value per vertex
   std::map<std::string, std::vector<double>> triangle_data;  ///< one value per triangle
+  std::string space = {};  ///< the axes of the coordinates, "LPS" or "RAS", as in Lattice; "" if they are not known
 };
 
 struct Lattice;

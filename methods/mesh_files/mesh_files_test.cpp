@@ -69,6 +69,18 @@ void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
+// As 3D Slicer marks it.
+TEST_F(MeshFiles, SayWhichWayTheAxesPoint) {
+  TriangleMesh mesh = octahedron();
+  for (const char* name : {"a.vtp", "a.ply", "a.off", "a.obj", "a.stl"}) {
+    EXPECT_EQ(written(name).find("SPACE"), std::string::npos) << name;
+    mesh.space = "LPS";
+    write_mesh(mesh, folder_ / name);
+    expect_contains(read_text(folder_ / name), std::string(name) == "a.vtp" ? "Name=\"SPACE\"" : "SPACE=LPS");
+    EXPECT_EQ(read_mesh(folder_ / name).triangles.size(), mesh.triangles.size()) << name;
+  }
+}
+
 TEST_F(MeshFiles, KeepEveryBitInAllFormatsOfDoubles) {
   const TriangleMesh mesh = octahedron();
   for (const char* name : {"a.vtp", "a.ply", "a.off", "a.obj", "A.PLY"}) {

@@ -28,6 +28,9 @@ PolygonMesh read_off(const std::filesystem::path& path);
 PolygonMesh read_obj(const std::filesystem::path& path);
 PolygonMesh read_stl(const std::filesystem::path& path);
 
+/// "SPACE=LPS": how 3D Slicer marks the axes of the coordinates in a file's comments.
+inline std::string space_mark(const TriangleMesh& mesh) { return "SPACE=" + mesh.space; }
+
 void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path);
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path);
 void write_off(const TriangleMesh& mesh, const std::filesystem::path& path);

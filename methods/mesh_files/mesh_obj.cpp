@@ -108,7 +108,7 @@ PolygonMesh read_obj(const std::filesystem::path& path) {
 }
 
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  std::string text;
+  std::string text = mesh.space.empty() ? "" : "# " + space_mark(mesh) + "\n";
   const auto out = std::back_inserter(text);
   for (const Eigen::Vector3d& v : mesh.vertices) fmt::format_to(out, "v {} {} {}\n", v.x(), v.y(), v.z());
   for (const Triangle& t : mesh.triangles) {

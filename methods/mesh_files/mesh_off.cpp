@@ -93,7 +93,8 @@ PolygonMesh read_off(const std::filesystem::path& path) {
 }
 
 void write_off(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  std::string text = fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
+  std::string text = fmt::format("OFF\n{}{} {} 0\n", mesh.space.empty() ? "" : "# " + space_mark(mesh) + "\n",
+                                 mesh.vertices.size(), mesh.triangles.size());
   const auto out = std::back_inserter(text);
   // "{}" prints the fewest digits from which the same double is read back.
   for (const Eigen::Vector3d& v : mesh.vertices) fmt::format_to(out, "{} {} {}\n", v.x(), v.y(), v.z());

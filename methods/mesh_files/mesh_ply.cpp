@@ -282,9 +282,9 @@ PolygonMesh read_ply(const std::filesystem::path& path) {
 
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path) {
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment lengths in mm\nelement vertex {}\nproperty double x\n"
+      "ply\nformat binary_little_endian 1.0\ncomment lengths in mm\n{}element vertex {}\nproperty double x\n"
       "property double y\nproperty double z\nelement face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-      mesh.vertices.size(), mesh.triangles.size());
+      mesh.space.empty() ? "" : "comment " + space_mark(mesh) + "\n", mesh.vertices.size(), mesh.triangles.size());
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     for (int axis = 0; axis < 3; ++axis) put_number(bytes, vertex[axis]);
   }

@@ -154,7 +154,7 @@ PolygonMesh read_stl(const std::filesystem::path& path) {
 }
 
 void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  std::string bytes = "binary STL, lengths in mm";
+  std::string bytes = "binary STL, lengths in mm" + (mesh.space.empty() ? "" : ", " + space_mark(mesh));
   bytes.resize(kHeaderSize, ' ');
   put_number(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Triangle& t : mesh.triangles) {

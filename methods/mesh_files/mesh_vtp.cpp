@@ -2,10 +2,12 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -234,6 +236,12 @@ void write_vtp(const TriangleMesh& mesh, const std::filesystem::path& path) {
   data->SetPolys(cells);
   add_arrays(mesh.vertex_data, *data->GetPointData());
   add_arrays(mesh.triangle_data, *data->GetCellData());
+  if (!mesh.space.empty()) {
+    vtkNew<vtkStringArray> space;
+    space->SetName("SPACE");
+    space->InsertNextValue(mesh.space);
+    data->GetFieldData()->AddArray(space);
+  }
   write_poly_data(data, path);
 }
 

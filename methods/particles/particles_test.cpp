@@ -24,7 +24,7 @@ namespace {
 using particles::Particles;
 using particles::SizedSurface;
 
-TriangleMesh mesh_of(const Isosurface& surface, const SizingRequest& request, std::uint64_t seed = 1) {
+TriangleMesh particle_mesh_of(const Isosurface& surface, const SizingRequest& request, std::uint64_t seed = 1) {
   const Method& particles = method("particles");
   Monitor monitor;
   return particles.mesh(MeshingTask(surface, request, Parameters(particles.parameters), seed), monitor);
@@ -34,12 +34,12 @@ TEST(Particles, MeshASpeckBetweenNodes) {
   const Isosurface surface = speck_between_nodes();
   ASSERT_TRUE(marching_cubes(surface, *std::make_unique<Monitor>()).triangles.empty());
   for (const SizingRequest& request : {adaptive(0.5, 0.3), uniform(0.7)}) {
-    const MeshFacts facts = mesh_facts(mesh_of(surface, request));
+    const MeshFacts facts = mesh_facts(particle_mesh_of(surface, request));
     EXPECT_EQ(facts.open_edges, 0U);
     EXPECT_EQ(facts.components, 1U);
     EXPECT_EQ(facts.euler, 2);
   }
-  EXPECT_THROW(mesh_of(surface, with_vertices(100)), UsageError);
+  EXPECT_THROW(particle_mesh_of(surface, with_vertices(100)), UsageError);
 }
 
 TEST(ParticlesSeeds, AreAsManyAsAskedOnTheSurfaceAndApart) {
@@ -102,7 +102,7 @@ TEST(ParticlesPopulation, FillsHolesAndThinsCrowds) {
 TEST(ParticlesMethod, MeshesPhantomsClosedWithTheRightTopology) {
   for (const char* name : {"sphere", "torus", "ellipsoid", "slab", "two-spheres", "capsule", "rounded-box"}) {
     const Isosurface surface = surface_of(name, 48);
-    const TriangleMesh mesh = mesh_of(surface, adaptive(0.5, 0.3));
+    const TriangleMesh mesh = particle_mesh_of(surface, adaptive(0.5, 0.3));
     const MeshFacts facts = mesh_facts(mesh);
     EXPECT_EQ(facts.open_edges, 0U) << name;
     EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;
@@ -120,7 +120,7 @@ TEST(ParticlesMethod, SeparatesCloseParts) {
   for (const auto& [name, nodes] : lattices) {
     const Isosurface surface = surface_of(name, nodes);
     for (const SizingRequest& request : {adaptive(0.7, 0.4), uniform(0.8)}) {
-      const MeshFacts facts = mesh_facts(mesh_of(surface, request));
+      const MeshFacts facts = mesh_facts(particle_mesh_of(surface, request));
       EXPECT_EQ(facts.open_edges, 0U) << name;
       EXPECT_EQ(facts.nonmanifold_edges, 0U) << name;
       EXPECT_EQ(facts.euler, phantom(name).euler) << name;
@@ -143,7 +143,7 @@ TEST(ParticlesMethod, SolvesForTheNumberOfVertices) {
   const Isosurface surface = surface_of("torus", 48);
   SizingRequest request;
   request.vertices = 3000;
-  const TriangleMesh mesh = mesh_of(surface, request);
+  const TriangleMesh mesh = particle_mesh_of(surface, request);
   EXPECT_NEAR(static_cast<double>(mesh.vertices.size()), 3000.0, 60.0);
   EXPECT_GT(valence_six_percent(mesh), 63.0);
 }
@@ -151,7 +151,7 @@ TEST(ParticlesMethod, SolvesForTheNumberOfVertices) {
 TEST(ParticlesMethod, KeepsNearlyEveryEdgeBelowH0) {
   const Isosurface surface = surface_of("ellipsoid", 64);
   const SizingRequest request = adaptive(0.3, 0.3);
-  const TriangleMesh mesh = mesh_of(surface, request);
+  const TriangleMesh mesh = particle_mesh_of(surface, request);
   Monitor monitor;
   const SizingField field = make_sizing_field(surface, request, monitor);
   std::size_t edges = 0;
@@ -170,7 +170,7 @@ TEST(ParticlesMethod, KeepsNearlyEveryEdgeBelowH0) {
 TEST(ParticlesMethod, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
   const auto with_threads = [&](std::size_t threads, std::uint64_t seed) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return checksum(mesh_of(surface_of("torus", 48), adaptive(0.3, 0.3), seed));
+    return checksum(particle_mesh_of(surface_of("torus", 48), adaptive(0.3, 0.3), seed));
   };
   const std::string one = with_threads(1, 1);
   EXPECT_EQ(one, with_threads(2, 1));
