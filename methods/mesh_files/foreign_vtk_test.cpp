@@ -10,8 +10,8 @@
 namespace isobench::foreign {
 namespace {
 
-const Read octahedron{6, 8, octahedron_volume, ""};
-const Read cube{8, 12, cube_volume, "6 of its 6 faces have more than three corners"};
+const Read vtk_octahedron{6, 8, octahedron_volume, ""};
+const Read vtk_cube{8, 12, cube_volume, "6 of its 6 faces have more than three corners"};
 
 std::string array(const std::string& type, const std::string& name, const std::string& numbers, int components = 1) {
   return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">{}</DataArray>\n",
@@ -46,11 +46,12 @@ TEST(ForeignVtk, Vtp) {
   const std::string triangles = cells("Polys", face_lines(octahedron_faces, ""), offsets(8, 3));
   const std::string six = "NumberOfPoints=\"6\" ";
   expect_all({
-      {"plain.vtp", xml("PolyData", six + "NumberOfPolys=\"8\"", points(octahedron_points) + triangles), octahedron},
+      {"plain.vtp", xml("PolyData", six + "NumberOfPolys=\"8\"", points(octahedron_points) + triangles),
+       vtk_octahedron},
       {"quads.VTP",
        xml("PolyData", "NumberOfPoints=\"8\" NumberOfPolys=\"6\"",
            points(cube_points) + cells("Polys", face_lines(cube_faces, ""), offsets(6, 4))),
-       cube},
+       vtk_cube},
       {"strips.vtp",
        xml("PolyData", six + "NumberOfStrips=\"3\"",
            points(octahedron_points) + cells("Strips", octahedron_strips, strip_ends)),
@@ -97,8 +98,8 @@ TEST(ForeignVtk, Vtu) {
   const std::string corners = face_lines(octahedron_faces, "");
   const std::string of_triangles = "5 5 5 5 5 5 5 5 ";
   expect_all({
-      {"plain.vtu", grid(octahedron_points, 6, corners, offsets(8, 3), of_triangles), octahedron},
-      {"named.vtp", grid(octahedron_points, 6, corners, offsets(8, 3), of_triangles), octahedron},
+      {"plain.vtu", grid(octahedron_points, 6, corners, offsets(8, 3), of_triangles), vtk_octahedron},
+      {"named.vtp", grid(octahedron_points, 6, corners, offsets(8, 3), of_triangles), vtk_octahedron},
       {"mixed.vtu",
        grid(cube_points, 8, replaced(face_lines(cube_faces, ""), " 0 3 2 1", " 0 3 1 2") + "0 1 5",
             offsets(6, 4) + "25 27", "8 9 7 9 7 9 1 3 "),
@@ -131,16 +132,17 @@ TEST(ForeignVtk, LegacyText) {
   const std::string grid = "DATASET UNSTRUCTURED_GRID\nPOINTS 6 double\n" + octahedron_points;
   const std::string data = "POINT_DATA 6\nSCALARS a float 1\nLOOKUP_TABLE default\n1 2 3 4 5 6\n";
   expect_all({
-      {"plain.vtk", plain, octahedron},
-      {"crlf.vtk", replaced(plain, "\n", "\r\n"), octahedron},
-      {"data.vtk", plain + data, octahedron},
-      {"small.VTK", legacy("2.0", "ascii", replaced(head, "DATASET POLYDATA", "dataset polydata") + lists), octahedron},
-      {"arrays.vtk", legacy("5.1", "ASCII", head + metadata + arrays), octahedron},
-      {"field.vtk", legacy("4.2", "ASCII", replaced(head, "POLYDATA\n", "POLYDATA\n" + field) + lists), octahedron},
+      {"plain.vtk", plain, vtk_octahedron},
+      {"crlf.vtk", replaced(plain, "\n", "\r\n"), vtk_octahedron},
+      {"data.vtk", plain + data, vtk_octahedron},
+      {"small.VTK", legacy("2.0", "ascii", replaced(head, "DATASET POLYDATA", "dataset polydata") + lists),
+       vtk_octahedron},
+      {"arrays.vtk", legacy("5.1", "ASCII", head + metadata + arrays), vtk_octahedron},
+      {"field.vtk", legacy("4.2", "ASCII", replaced(head, "POLYDATA\n", "POLYDATA\n" + field) + lists), vtk_octahedron},
       {"quads.vtk",
        legacy("3.0", "ASCII",
               "DATASET POLYDATA\nPOINTS 8 int\n" + cube_points + "POLYGONS 6 30\n" + face_lines(cube_faces, "4")),
-       cube},
+       vtk_cube},
       {"strips.vtk",
        legacy("3.0", "ASCII",
               head + "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nTRIANGLE_STRIPS 3 17\n"
@@ -150,10 +152,10 @@ TEST(ForeignVtk, LegacyText) {
       {"grid.vtk",
        legacy("3.0", "ASCII",
               grid + "CELLS 8 32\n" + face_lines(octahedron_faces, "3") + "CELL_TYPES 8\n5 5 5 5 5 5 7 7\n"),
-       octahedron},
+       vtk_octahedron},
       {"grid-arrays.vtk",
        legacy("5.1", "ASCII", grid + replaced(arrays, "POLYGONS", "CELLS") + "CELL_TYPES 8\n5\n5\n5\n5\n5\n5\n5\n5\n"),
-       octahedron},
+       vtk_octahedron},
       {"tetrahedra.vtk",
        legacy("3.0", "ASCII", grid + "CELLS 1 5\n4 0 2 4 1\nCELL_TYPES 1\n10\n"),
        {},
@@ -179,7 +181,7 @@ TEST(ForeignVtk, LegacyText) {
   });
 }
 
-/// The corners of the octahedron's faces, each face behind `before`.
+/// The corners of the vtk_octahedron's faces, each face behind `before`.
 template <typename Number>
 std::string corners_of(std::initializer_list<Number> before) {
   std::string bytes;
@@ -207,15 +209,15 @@ TEST(ForeignVtk, LegacyBinary) {
   const std::string metadata = "\nMETADATA\nINFORMATION 0\n\n";
   const std::string plain = legacy("3.0", "BINARY", head + "\n" + lists + "\n");
   expect_all({
-      {"plain.vtk", plain, octahedron},
-      {"arrays.vtk", legacy("5.1", "BINARY", head + metadata + arrays + metadata), octahedron},
+      {"plain.vtk", plain, vtk_octahedron},
+      {"arrays.vtk", legacy("5.1", "BINARY", head + metadata + arrays + metadata), vtk_octahedron},
       {"field.vtk", legacy("4.2", "BINARY", replaced(head, "POLYDATA\n", "POLYDATA\n" + field) + "\n" + lists),
-       octahedron},
+       vtk_octahedron},
       {"grid.vtk",
        legacy("3.0", "BINARY",
               replaced(head, "POLYDATA", "UNSTRUCTURED_GRID") + "\n" + replaced(lists, "POLYGONS", "CELLS") +
                   "\nCELL_TYPES 8\n" + types),
-       octahedron},
+       vtk_octahedron},
       {"cut.vtk", plain.substr(0, plain.size() - 2), {}, "is truncated"},
   });
 }

@@ -49,7 +49,7 @@ struct Case {
   TriangleMesh mesh;
 };
 
-void expect_closed(const TriangleMesh& mesh, const Phantom& known) {
+void expect_shape_of(const TriangleMesh& mesh, const Phantom& known) {
   const MeshFacts facts = mesh_facts(mesh);
   EXPECT_EQ(facts.open_edges, 0U);
   EXPECT_EQ(facts.nonmanifold_edges, 0U);
@@ -65,7 +65,7 @@ TEST(ParticlesCure, LeavesADenseSampleAlone) {
   EXPECT_EQ(cured.inserted, 0U);
   EXPECT_EQ(cured.rounds, 0);
   EXPECT_EQ(torus.all.size(), count);
-  expect_closed(torus.mesh, phantom("torus"));
+  expect_shape_of(torus.mesh, phantom("torus"));
 }
 
 // The edges are longer than the sheets are thick and apart. Without a cure, the sheets are joined and have holes.
@@ -79,7 +79,7 @@ TEST(ParticlesCure, SeparatesSheetsThatAreCloserThanTheEdgesAreLong) {
     EXPECT_EQ(cured.after.pinched, 0U);
     EXPECT_EQ(cured.after.isolated, 0U);
     EXPECT_EQ(sheets.mesh.vertices.size(), sheets.all.size());
-    expect_closed(sheets.mesh, phantom(name));
+    expect_shape_of(sheets.mesh, phantom(name));
     for (const Eigen::Vector3d& x : sheets.mesh.vertices) {
       const Jet jet = sheets.surface.value_gradient(x);
       EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * sheets.surface.voxel());
@@ -99,7 +99,7 @@ TEST(ParticlesCure, RelaxesUntilNoDefectIsLeft) {
     EXPECT_EQ(cured.rounds, 0);
     EXPECT_EQ(cured.after.all(), 0U);
     EXPECT_GT(sheets.all.size(), count);
-    expect_closed(sheets.mesh, phantom(name));
+    expect_shape_of(sheets.mesh, phantom(name));
     for (std::size_t n = 0; n < sheets.all.size(); ++n) {
       const Jet jet = sheets.surface.value_gradient(sheets.all.points[n]);
       EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * sheets.surface.voxel());
@@ -125,7 +125,7 @@ TEST(ParticlesCure, FindsAComponentThatHasNoParticles) {
   const CureResult cured = spheres.run();
   EXPECT_EQ(cured.before.lost, 1U);
   EXPECT_EQ(cured.after.all(), 0U);
-  expect_closed(spheres.mesh, phantom("near-spheres"));
+  expect_shape_of(spheres.mesh, phantom("near-spheres"));
 }
 
 // Two pinches often share the cell whose label mends both; changed for each of them, it would be what it was.
