@@ -1,9 +1,8 @@
 // One reader and one writer per mesh format; read_mesh() and write_mesh() choose among them.
 //
-// The readers are ours. Those of VTK 9.1 take as much memory as a header states and read damaged or truncated files
-// without an error; they keep coordinates of PLY and OBJ files in single precision, and OBJ faces without the file's
-// own numbers. Those of CGAL stop at the first statement, property or list that they do not know, and say no more than
-// that the file cannot be read. Only VTP is written by VTK.
+// The readers are ours. Those of VTK 9.1 read damaged files without an error, take as much memory as a header states,
+// and store coordinates of PLY and OBJ files in single precision. Those of CGAL return only whether a file could be
+// read, not what is wrong in which line, nor what they left out. Only VTP is written by VTK.
 //
 // Readers throw DataError, with the file's name, if the content is not of the format or ends early. read_mesh() checks
 // indices and coordinates for all formats. Writers write whole files (whole_files.h): if that fails, they throw Error,
