@@ -163,6 +163,8 @@ TEST(NrrdFiles, HeadersThatAreWrong) {
       {"", "byte skip: 1.5", "not a whole number"},
       {"", "byte skip: 1000000000000", "truncated"},
       {"", "line skip: 1000000000000", "truncated"},
+      {"", "byte skip: -2", "truncated"},  // one byte would follow the samples
+      {"", "byte skip: -1000000000000", "truncated"},
       {"space directions", "space directions: (1,0,0) (0,1,0)", "it has 2 space directions for its 3 axes"},
       {"space directions", "space directions: (1,0) (0,1,0) (0,0,1)", "has 2 numbers, but its space has 3 dimensions"},
       {"space directions", "space directions: (1,0,0) (0,1,0) 0,0,1", "vectors such as (1,0,0) are expected"},
@@ -192,6 +194,10 @@ TEST(NrrdFiles, HeadersThatAreWrong) {
     if (*wrong.add != '\0') header += std::string(wrong.add) + "\n";
     expect_data_error(folder.write("a.nrrd", with_data(header, shorts)), wrong.message);
   }
+  // The packed data hold the samples, but not the bytes that are said to follow them.
+  expect_data_error(
+      folder.write("a.nrrd", with_data(nrrd_header("short", "gzip") + "byte skip: -4\n", deflated(shorts, true))),
+      "truncated");
   for (const char* encoding : {"ascii", "hex"}) {
     expect_data_error(folder.write("a.nrrd", nrrd_header("short", encoding) + "byte skip: -1\n\n1 2 3"),
                       "a byte skip below 0 is not possible");

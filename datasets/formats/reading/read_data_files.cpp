@@ -57,19 +57,30 @@ std::uintmax_t offset_after_lines(const DataFile& file, std::uintmax_t lines) {
   }
 }
 
-/// How many bytes lie before the last `bytes` of the unpacked data. Compressed data must be unpacked for that.
+/// How many bytes there are, unpacked. Compressed data must be read for that; what `limit` leaves out is not counted.
+std::uintmax_t unpacked_bytes(const DataFile& file, Encoding encoding, std::uintmax_t limit) {
+  ByteReader reader(file.path, encoding, file.offset);
+  const std::uintmax_t possible = reader.possible_bytes();
+  return encoding == Encoding::plain ? possible : reader.skip(std::min(limit, possible));
+}
+
+/// How many bytes lie before the last `bytes` of the unpacked data.
 std::uintmax_t bytes_before(const DataFile& file, Encoding encoding, std::uintmax_t bytes) {
   constexpr std::uintmax_t longest_header = std::uintmax_t{64} << 20U;
-  ByteReader reader(file.path, encoding, file.offset);
-  if (encoding == Encoding::plain) return reader.possible_bytes() - std::min(bytes, reader.possible_bytes());
-  if (reader.possible_bytes() < bytes) return 0;
-  const std::uintmax_t all = reader.skip(bytes + longest_header);
-  if (all == bytes + longest_header) {
+  const std::uintmax_t limit = bytes + longest_header;
+  const std::uintmax_t all = unpacked_bytes(file, encoding, limit);
+  if (all < bytes) {
+    throw DataError(
+        fmt::format("{}: truncated: its header states {} bytes up to its end, but at most {} follow; copy or "
+                    "export it again",
+                    file.path.string(), bytes, all));
+  }
+  if (encoding != Encoding::plain && all == limit) {
     throw DataError(
         fmt::format("{}: more than {} MiB lie before its last {} bytes; state how many bytes are to be skipped",
                     file.path.string(), longest_header >> 20U, bytes));
   }
-  return all - std::min(bytes, all);
+  return all - bytes;
 }
 
 class DataFilesReader {
