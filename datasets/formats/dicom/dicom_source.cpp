@@ -48,8 +48,12 @@ class DicomSource::File {
 
 class DicomSource::Inflating {
  public:
-  explicit Inflating(File& file) : file_(file), input_(std::size_t{1} << 16U) {
+  /// `begin` was read from the file already.
+  Inflating(File& file, const std::string& begin) : file_(file), input_(std::size_t{1} << 16U) {
     inflateInit2(&stream_, -15);  // a raw stream with a window of 15 bits
+    std::copy(begin.begin(), begin.end(), input_.begin());
+    stream_.next_in = reinterpret_cast<Bytef*>(input_.data());
+    stream_.avail_in = static_cast<uInt>(begin.size());
   }
   ~Inflating() { inflateEnd(&stream_); }
   Inflating(const Inflating&) = delete;
@@ -88,7 +92,10 @@ DicomSource::DicomSource(const std::filesystem::path& path) : path_(path), file_
 
 DicomSource::~DicomSource() = default;
 
-void DicomSource::inflate_rest() { inflating_ = std::make_unique<Inflating>(*file_); }
+void DicomSource::inflate_rest() {
+  inflating_ = std::make_unique<Inflating>(*file_, ahead_);
+  ahead_.clear();
+}
 
 std::size_t DicomSource::read_some(char* bytes, std::size_t count) {
   return inflating_ ? inflating_->read(bytes, count) : file_->read(bytes, count);
