@@ -33,7 +33,7 @@ TEST(ReadBadDicom, EveryTruncationIsHandled) {
     DicomTestFile file = dicom_slice(0);
     file.syntax = syntax;
     const std::string whole = bytes_of_file(file.write(folder.path() / "a.dcm"));
-    for (std::size_t size = 1; size < whole.size(); size += 1 + size % 3) {
+    for (std::size_t size = 1; size < whole.size(); size += 5 + size % 3) {
       expect_handled(folder.write("a.dcm", whole.substr(0, size)));
     }
     expect_data_error(folder.write("a.dcm", whole.substr(0, 300)), "truncated");
@@ -43,7 +43,7 @@ TEST(ReadBadDicom, EveryTruncationIsHandled) {
 TEST(ReadBadDicom, EveryChangedByteIsHandled) {
   const TestFolder folder;
   const std::string whole = bytes_of_file(dicom_slice(0).write(folder.path() / "a.dcm"));
-  for (std::size_t at = 128; at < whole.size(); at += 2) {
+  for (std::size_t at = 128; at < whole.size(); at += 5) {
     for (const char value : {'\0', '\xff'}) {
       std::string changed = whole;
       changed[at] = value;
@@ -60,7 +60,7 @@ TEST(ReadBadDicom, DamagedCompressedData) {
     file.syntax = syntax;
     const std::string whole = bytes_of_file(file.write(folder.path() / "a.dcm"));
     const std::size_t pixels = whole.rfind(std::string("\xfe\xff\x00\xe0", 4));
-    for (std::size_t at = pixels; at < whole.size(); at += 5) {
+    for (std::size_t at = pixels; at < whole.size(); at += 11) {
       std::string changed = whole;
       changed[at] = static_cast<char>(changed[at] ^ '\x55');
       expect_handled(folder.write("a.dcm", changed));

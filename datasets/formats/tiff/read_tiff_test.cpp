@@ -316,7 +316,7 @@ TEST(ReadBadTiff, EveryTruncationAndChangedByteIsHandled) {
         EXPECT_NE(message.find("a.tif"), std::string::npos) << message;
       }
     };
-    for (std::size_t at = 0; at < whole.size(); at += 1 + at % 2) {
+    for (std::size_t at = 0; at < whole.size(); at += 3 + at % 3) {
       expect_handled(whole.substr(0, at));
       for (const char value : {'\0', '\xff', '\x7f'}) {
         std::string changed = whole;
@@ -338,7 +338,7 @@ TEST(ReadBadTiff, HostileSizesTakeNoMemory) {
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, compression);
     if (is_tiled) TIFFSetField(tiff, TIFFTAG_TILEWIDTH, 60000);
     if (is_tiled) TIFFSetField(tiff, TIFFTAG_TILELENGTH, 60000);
-    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, is_tiled ? 0 : rows);
+    if (!is_tiled) TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, rows);
     TIFFWriteDirectory(tiff);
     TIFFClose(tiff);
     return folder.path() / "a.tif";
