@@ -79,16 +79,16 @@ struct DicomItem {
 };
 
 struct DicomElement {
-  DicomTag tag{};
+  DicomTag tag = DicomTag::pixels;
   std::string bytes;             ///< as in the file
   std::vector<DicomItem> items;  ///< of a sequence
 };
 
 /// Where the pixels are.
 struct DicomPixels {
-  DicomTag tag{};             ///< pixels, float_pixels or double_pixels
-  std::uintmax_t offset = 0;  ///< of the first byte of the value, as DicomSource counts
-  std::uintmax_t length = 0;  ///< bytes; of encapsulated pixels all that follows in the file
+  DicomTag tag = DicomTag::pixels;  ///< pixels, float_pixels or double_pixels
+  std::uintmax_t offset = 0;        ///< of the first byte of the value, as DicomSource counts
+  std::uintmax_t length = 0;        ///< bytes; of encapsulated pixels all that follows in the file
   bool is_encapsulated = false;
   bool is_in_words = false;  ///< samples of one byte are stored as words of two
 };

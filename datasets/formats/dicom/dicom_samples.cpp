@@ -34,30 +34,40 @@ struct Fragment {
 /// The fragments of the frames of a file, frame by frame.
 using FrameFragments = std::vector<std::vector<Fragment>>;
 
-FrameFragments fragments_of(const DicomImage& image) {
+/// The items of encapsulated pixels: a table of the offsets of frames, which may be empty, and all fragments.
+struct EncapsulatedItems {
+  std::vector<std::uint32_t> offsets;  ///< from the first fragment's head
+  std::vector<Fragment> fragments;
+};
+
+EncapsulatedItems items_of(const DicomImage& image) {
   DicomSource source(image.path);
   source.skip_to(image.pixels.offset);
-  std::vector<Fragment> all;
-  std::vector<std::uint32_t> offsets;
+  EncapsulatedItems items;
   for (bool is_table = true;; is_table = false) {
     std::array<char, 8> head{};
     source.read(head.data(), head.size());
     const auto group = number_at<std::uint16_t>(head.data(), ByteOrder::little);
     const auto element = number_at<std::uint16_t>(head.data() + 2, ByteOrder::little);
     const auto length = number_at<std::uint32_t>(head.data() + 4, ByteOrder::little);
-    if (group == 0xFFFE && element == 0xE0DD) break;
+    if (group == 0xFFFE && element == 0xE0DD) return items;
     if (group != 0xFFFE || element != 0xE000)
       fail_in(image, "damaged: its pixels are not a list of fragments; copy it again");
     if (length > source.possible_bytes()) fail_in(image, "truncated in its pixels; copy or export it again");
     const std::uintmax_t next = source.position() + length;
-    if (!is_table) all.push_back({source.position(), length});
+    if (!is_table) items.fragments.push_back({source.position(), length});
     for (std::uint32_t n = 0; is_table && n < length / 4; ++n) {
       std::array<char, 4> offset{};
       source.read(offset.data(), offset.size());
-      offsets.push_back(number_at<std::uint32_t>(offset.data(), ByteOrder::little));
+      items.offsets.push_back(number_at<std::uint32_t>(offset.data(), ByteOrder::little));
     }
     source.skip_to(next);
   }
+}
+
+FrameFragments fragments_of(const DicomImage& image) {
+  const EncapsulatedItems items = items_of(image);
+  const std::vector<Fragment>& all = items.fragments;
   const std::size_t frames = image.frames.size();
   if (frames == 1) return {all};
   FrameFragments result;
@@ -65,12 +75,11 @@ FrameFragments fragments_of(const DicomImage& image) {
     for (const Fragment& fragment : all) result.push_back({fragment});
     return result;
   }
-  // The offsets count from the first fragment's head.
-  if (offsets.size() != frames || all.empty())
+  if (items.offsets.size() != frames || all.empty())
     fail_in(image, fmt::format("damaged: {} fragments for {} frames; export it again", all.size(), frames));
   const std::uintmax_t first = all.front().offset;
   for (const Fragment& fragment : all) {
-    const bool begins = result.size() < frames && fragment.offset - first == offsets[result.size()];
+    const bool begins = result.size() < frames && fragment.offset - first == items.offsets[result.size()];
     if (begins) result.emplace_back();
     if (result.empty()) break;
     result.back().push_back(fragment);

@@ -115,6 +115,17 @@ std::size_t component_of(const DicomImage& image, const VolumeChoice& choice, co
   return place_on_axis(choice.component, count, "component", path);
 }
 
+void check_readable(const DicomSeries& series, const fs::path& path) {
+  if (series.first().image_type.find("MOSAIC") != std::string::npos) {
+    throw DataError(
+        path.string() +
+        ": its images are mosaics of slices, as Siemens writes them; convert it to NIfTI, e.g. by dcm2niix");
+  }
+  for (const DicomSlice& slice : series.slices) {
+    if (!slice.image->problem.empty()) throw DataError(slice.image->path.string() + ": " + slice.image->problem);
+  }
+}
+
 }  // namespace
 
 bool has_dicom_files(const fs::path& folder) { return !files_of_folder(folder).dicom.empty(); }
@@ -136,14 +147,7 @@ VolumeFile read_dicom(const fs::path& path, const VolumeChoice& choice) {
   const std::vector<DicomSeries> all = series_of(list.images);
   const DicomSeries& series = choose_series(all, choice.series, wanted, path);
   const DicomImage& first = series.first();
-  if (first.image_type.find("MOSAIC") != std::string::npos) {
-    throw DataError(
-        path.string() +
-        ": its images are mosaics of slices, as Siemens writes them; convert it to NIfTI, e.g. by dcm2niix");
-  }
-  for (const DicomSlice& slice : series.slices) {
-    if (!slice.image->problem.empty()) throw DataError(slice.image->path.string() + ": " + slice.image->problem);
-  }
+  check_readable(series, path);
   const std::size_t component = component_of(first, choice, path);
   DicomStack stack = stack_slices(series, choice, path);
   const auto note = [&](const std::string& what) { stack.notes.push_back(path.string() + ": " + what); };

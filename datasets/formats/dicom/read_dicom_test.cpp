@@ -316,7 +316,8 @@ TEST(ReadDicom, FramesOfOneFileWithTheirOwnPlaces) {
     volume.samples.visit([](auto& values) {
       for (std::size_t n = 0; n < values.size(); ++n) {
         using T = SampleOf<decltype(values)>;
-        values[n] = static_cast<T>(values[n] - static_cast<T>(n / (nx * ny)));
+        const std::size_t k = n / (nx * ny);
+        values[n] = static_cast<T>(values[n] - static_cast<T>(k));
       }
     });
     expect_oblique(volume);

@@ -162,8 +162,8 @@ TEST(ReadTiff, ImagejStatesSpacingChannelsAndSteps) {
       "ImageJ=1.53t\nimages=30\nchannels=2\nslices=5\nframes=3\nhyperstack=true\nunit=micron\nspacing=3.5\n";
   // Channels follow each other, then slices, then frames.
   const auto path = write_tiff<std::uint16_t>(folder.path() / "a.tif", 30, options, [](int i, int j, int page, int) {
-    return sample_at(i, j, page / 2 % 5) + 1000.0F * static_cast<float>(page % 2) +
-           5000.0F * static_cast<float>(page / 10);
+    const int frame = page / 10;
+    return sample_at(i, j, page / 2 % 5) + 1000.0F * static_cast<float>(page % 2) + 5000.0F * static_cast<float>(frame);
   });
   expect_data_error(path, "choose one with --component 0 to 1");
   expect_data_error(path, "choose one with --step 0 to 2", choose_component(0));
@@ -229,9 +229,11 @@ TEST(ReadTiff, OmeStatesSpacingAndTheOrderOfPages) {
       "ID=\"Image:0\"><Pixels DimensionOrder=\"XYZCT\" ID=\"Pixels:0\" PhysicalSizeX=\"0.5\" PhysicalSizeY=\"250\" "
       "PhysicalSizeYUnit=\"nm\" PhysicalSizeZ=\"3\" PhysicalSizeZUnit=\"&#181;m\" SizeC=\"2\" SizeT=\"1\" SizeX=\"7\" "
       "SizeY=\"6\" SizeZ=\"5\" Type=\"uint16\"><TiffData/></Pixels></Image></OME>";
-  const auto path = write_tiff<std::uint16_t>(
-      folder.path() / "a.ome.tif", 10, options,
-      [](int i, int j, int page, int) { return sample_at(i, j, page % 5) + 1000.0F * static_cast<float>(page / 5); });
+  const auto path =
+      write_tiff<std::uint16_t>(folder.path() / "a.ome.tif", 10, options, [](int i, int j, int page, int) {
+        const int channel = page / 5;
+        return sample_at(i, j, page % 5) + 1000.0F * static_cast<float>(channel);
+      });
   const Volume volume = volume_of(path, choose_component(0));
   EXPECT_EQ(floats_of(volume), samples());
   EXPECT_LT((volume.lattice.spacing - Eigen::Vector3d(0.5e-3, 0.25e-3, 3e-3)).norm(), 1e-9);

@@ -54,6 +54,19 @@ std::optional<SampleType> tiff_type(std::uint16_t format, std::uint16_t bits) {
   }
 }
 
+bool is_known_photometric(std::uint16_t photometric, std::uint16_t compression) {
+  switch (photometric) {
+    case PHOTOMETRIC_MINISBLACK:
+    case PHOTOMETRIC_MINISWHITE:
+    case PHOTOMETRIC_RGB:
+    case PHOTOMETRIC_PALETTE:
+    case PHOTOMETRIC_MASK:
+      return true;
+    default:
+      return photometric == PHOTOMETRIC_YCBCR && compression == COMPRESSION_JPEG;  // libtiff makes RGB of it
+  }
+}
+
 }  // namespace
 
 class TiffFile::Handle {
@@ -119,31 +132,16 @@ TiffPage TiffFile::read_page() {
   const std::size_t number = pages_.size() + 1;
   TiffPage page;
   page.offset = TIFFCurrentDirOffset(tiff);
-  page.layout.columns = handle_->field<std::uint32_t>(TIFFTAG_IMAGEWIDTH, 0);
-  page.layout.rows = handle_->field<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0);
-  page.layout.components = handle_->field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL, 1);
-  if (page.layout.columns < 1 || page.layout.rows < 1 || page.layout.components < 1)
-    handle_->fail(fmt::format("damaged: its page {} has no samples; copy or export it again", number));
-  const auto bits = handle_->field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1);
-  const std::optional<SampleType> type = tiff_type(handle_->field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT, 1), bits);
   page.is_reduced = (handle_->field<std::uint32_t>(TIFFTAG_SUBFILETYPE, 0) &
                      (std::uint32_t{FILETYPE_REDUCEDIMAGE} | std::uint32_t{FILETYPE_MASK})) != 0;
-  if (!type && !page.is_reduced) {
-    handle_->fail(fmt::format(
-        "its page {} has samples of {} bits that cannot be read; convert it to whole numbers of 8, 16 or 32 bits, or "
-        "floating-point numbers of 32 or 64",
-        number, bits));
-  }
-  page.layout.type = type.value_or(SampleType::u8);
-  const auto photometric = handle_->field<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  page.layout = read_layout(number, page.is_reduced);
   const auto compression = handle_->field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE);
-  const bool is_known = photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE ||
-                        photometric == PHOTOMETRIC_RGB || photometric == PHOTOMETRIC_PALETTE ||
-                        photometric == PHOTOMETRIC_MASK ||
-                        (photometric == PHOTOMETRIC_YCBCR && compression == COMPRESSION_JPEG);
-  if (!is_known) handle_->fail(fmt::format("its page {} has colours that are not RGB; convert it to grey", number));
   if (TIFFIsCODECConfigured(compression) == 0)
     handle_->fail(fmt::format("its compression {} is not known; export it with deflate, LZW or none", compression));
+  most_compression_ = std::max(most_compression_, most_compression(compression));
+  const auto photometric = handle_->field<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  if (!is_known_photometric(photometric, compression))
+    handle_->fail(fmt::format("its page {} has colours that are not RGB; convert it to grey", number));
   page.is_palette = photometric == PHOTOMETRIC_PALETTE;
   page.is_white_at_zero = photometric == PHOTOMETRIC_MINISWHITE;
   page.x_resolution = handle_->field<float>(TIFFTAG_XRESOLUTION, 0.0F);
@@ -156,8 +154,26 @@ TiffPage TiffFile::read_page() {
   if (compression == COMPRESSION_NONE && TIFFIsTiled(tiff) == 0 && TIFFNumberOfStrips(tiff) == 1 &&
       TIFFGetField(tiff, TIFFTAG_STRIPOFFSETS, &offsets) == 1 && offsets != nullptr)
     page.data_offset = offsets[0];
-  most_compression_ = std::max(most_compression_, most_compression(compression));
   return page;
+}
+
+TiffLayout TiffFile::read_layout(std::size_t number, bool is_reduced) {
+  TiffLayout layout;
+  layout.columns = handle_->field<std::uint32_t>(TIFFTAG_IMAGEWIDTH, 0);
+  layout.rows = handle_->field<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0);
+  layout.components = handle_->field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL, 1);
+  if (layout.columns < 1 || layout.rows < 1 || layout.components < 1)
+    handle_->fail(fmt::format("damaged: its page {} has no samples; copy or export it again", number));
+  const auto bits = handle_->field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1);
+  const std::optional<SampleType> type = tiff_type(handle_->field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT, 1), bits);
+  if (!type && !is_reduced) {
+    handle_->fail(fmt::format(
+        "its page {} has samples of {} bits that cannot be read; convert it to whole numbers of 8, 16 or 32 bits, or "
+        "floating-point numbers of 32 or 64",
+        number, bits));
+  }
+  layout.type = type.value_or(SampleType::u8);
+  return layout;
 }
 
 void TiffFile::check_bytes(std::uint64_t bytes) {

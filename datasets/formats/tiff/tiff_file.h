@@ -57,6 +57,7 @@ class TiffFile {
  private:
   class Handle;
   TiffPage read_page();
+  TiffLayout read_layout(std::size_t number, bool is_reduced);
 
   std::filesystem::path path_;
   std::unique_ptr<Handle> handle_;
