@@ -22,7 +22,7 @@ constexpr std::uint32_t item_ends = 0xFFFEE00D;
 constexpr std::uint32_t sequence_ends = 0xFFFEE0DD;
 constexpr std::uintmax_t longest_value = std::uintmax_t{1} << 16U;
 constexpr std::size_t first_bytes = 132;  // the preamble and "DICM"
-constexpr int deepest = 16;
+constexpr int deepest_nesting = 16;
 constexpr std::uintmax_t no_end = std::numeric_limits<std::uintmax_t>::max();
 
 bool is_sequence(DicomTag tag) {
@@ -241,7 +241,7 @@ class DicomParser {
   }
 
   void read_items(DicomElement& sequence, const Coding& coding, std::uintmax_t end, bool has_end, int depth) {
-    if (depth > deepest) fail("damaged: its header nests too deeply; copy or export it again");
+    if (depth > deepest_nesting) fail("damaged: its header nests too deeply; copy or export it again");
     while (!has_end || source_.position() < end) {
       const ElementHead head = read_head(coding);
       if (head.tag == sequence_ends) return;

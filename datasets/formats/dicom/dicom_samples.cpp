@@ -26,18 +26,18 @@ namespace {
 }
 
 /// A part of encapsulated pixels.
-struct Fragment {
+struct PixelFragment {
   std::uintmax_t offset = 0;  // in the file
   std::uint32_t length = 0;
 };
 
 /// The fragments of the frames of a file, frame by frame.
-using FrameFragments = std::vector<std::vector<Fragment>>;
+using FrameFragments = std::vector<std::vector<PixelFragment>>;
 
 /// The items of encapsulated pixels: a table of the offsets of frames, which may be empty, and all fragments.
 struct EncapsulatedItems {
   std::vector<std::uint32_t> offsets;  ///< from the first fragment's head
-  std::vector<Fragment> fragments;
+  std::vector<PixelFragment> fragments;
 };
 
 EncapsulatedItems items_of(const DicomImage& image) {
@@ -67,18 +67,18 @@ EncapsulatedItems items_of(const DicomImage& image) {
 
 FrameFragments fragments_of(const DicomImage& image) {
   const EncapsulatedItems items = items_of(image);
-  const std::vector<Fragment>& all = items.fragments;
+  const std::vector<PixelFragment>& all = items.fragments;
   const std::size_t frames = image.frames.size();
   if (frames == 1) return {all};
   FrameFragments result;
   if (all.size() == frames) {
-    for (const Fragment& fragment : all) result.push_back({fragment});
+    for (const PixelFragment& fragment : all) result.push_back({fragment});
     return result;
   }
   if (items.offsets.size() != frames || all.empty())
     fail_in(image, fmt::format("damaged: {} fragments for {} frames; export it again", all.size(), frames));
   const std::uintmax_t first = all.front().offset;
-  for (const Fragment& fragment : all) {
+  for (const PixelFragment& fragment : all) {
     const bool begins = result.size() < frames && fragment.offset - first == items.offsets[result.size()];
     if (begins) result.emplace_back();
     if (result.empty()) break;
@@ -93,9 +93,7 @@ class FrameBytes {
  public:
   /// The bytes of all components of a frame, in the order that they have in the file; decoded ones in this machine's.
   const std::vector<char>& read(const DicomSlice& slice) {
-    const DicomImage& image = *slice.image;
-    bytes_.resize(static_cast<std::size_t>(image.layout.frame_bytes()));
-    if (image.pixels.is_encapsulated)
+    if (slice.image->pixels.is_encapsulated)
       decode(slice);
     else
       read_plain(slice);
@@ -104,6 +102,7 @@ class FrameBytes {
 
  private:
   void read_plain(const DicomSlice& slice) {
+    bytes_.resize(static_cast<std::size_t>(slice.image->layout.frame_bytes()));
     const std::uintmax_t at = slice.image->pixels.offset + slice.frame->number * std::uintmax_t{bytes_.size()};
     if (plain_image_ != slice.image || at < source_->position()) {
       source_ = std::make_unique<DicomSource>(slice.image->path);
@@ -141,7 +140,7 @@ class FrameBytes {
       plain_image_ = nullptr;
     }
     std::string data;
-    for (const Fragment& fragment : fragments_[slice.frame->number]) {
+    for (const PixelFragment& fragment : fragments_[slice.frame->number]) {
       if (fragment.offset < source_->position()) source_ = std::make_unique<DicomSource>(image.path);
       source_->skip_to(fragment.offset);
       const std::size_t done = data.size();
@@ -152,6 +151,7 @@ class FrameBytes {
     const std::string name = transfer_syntax_name(image.transfer_syntax);
     if (!wrong.empty()) fail_in(image, fmt::format("damaged: its {} data: {}; copy or export it again", name, wrong));
     check_amount(image, data.size());
+    bytes_.resize(static_cast<std::size_t>(image.layout.frame_bytes()));
     if (!process_ || process_image_->layout != image.layout ||
         process_image_->transfer_syntax != image.transfer_syntax) {
       process_.reset();
@@ -199,7 +199,7 @@ SampleType stored_type(const DicomLayout& layout) {
 }
 
 /// Whether the type holds all integers from `least` to `most`.
-bool holds(SampleType type, double least, double most) {
+bool holds_integers(SampleType type, double least, double most) {
   return Samples(type).visit([&](const auto& none) {
     using T = SampleOf<decltype(none)>;
     return std::is_integral_v<T> && least >= static_cast<double>(std::numeric_limits<T>::min()) &&
@@ -226,7 +226,7 @@ SampleType type_of_sums(const DicomStack& stack) {
     const double least = (layout.is_signed ? -values / 2.0 : 0.0) + low->frame->intercept;
     const double most = (layout.is_signed ? values / 2.0 : values) - 1.0 + high->frame->intercept;
     for (const SampleType type : {stored, SampleType::i16, SampleType::u16, SampleType::i32, SampleType::u32}) {
-      if (holds(type, least, most)) return type;
+      if (holds_integers(type, least, most)) return type;
     }
   }
   return Samples(stored).visit(
@@ -234,7 +234,7 @@ SampleType type_of_sums(const DicomStack& stack) {
 }
 
 /// How the bytes of a frame become samples.
-struct Conversion {
+struct FrameConversion {
   DicomLayout layout;
   std::size_t component = 0;
   ByteOrder order = ByteOrder::little;
@@ -258,7 +258,7 @@ Stored value_of(Stored raw, const DicomLayout& layout) {
 }
 
 template <class Stored, class T>
-void append_frame(const std::vector<char>& bytes, const Conversion& conversion, std::vector<T>& samples) {
+void append_frame(const std::vector<char>& bytes, const FrameConversion& conversion, std::vector<T>& samples) {
   const DicomLayout& layout = conversion.layout;
   const auto count = static_cast<std::size_t>(layout.rows) * static_cast<std::size_t>(layout.columns);
   const auto components = static_cast<std::size_t>(layout.components);
@@ -277,9 +277,9 @@ void append_frame(const std::vector<char>& bytes, const Conversion& conversion, 
   }
 }
 
-Conversion conversion_of(const DicomSlice& slice, std::size_t component) {
+FrameConversion conversion_of(const DicomSlice& slice, std::size_t component) {
   const DicomImage& image = *slice.image;
-  Conversion conversion{image.layout, component, image.order, false, slice.frame->slope, slice.frame->intercept};
+  FrameConversion conversion{image.layout, component, image.order, false, slice.frame->slope, slice.frame->intercept};
   // GE's own syntax has big-endian pixels after a little-endian header.
   if (image.transfer_syntax == "1.2.840.113619.5.2") conversion.order = ByteOrder::big;
   if (image.pixels.is_encapsulated) conversion.order = native_order;

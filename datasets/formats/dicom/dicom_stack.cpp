@@ -21,8 +21,8 @@ namespace {
 // Of the distance between slices: what positions may differ from equal distances. Files state them with two or three
 // decimals.
 constexpr double most_irregular = 0.01;
-// mm: as much as rounding to two decimals does
-constexpr double rounding = 0.0051;
+// mm: as much as position_rounding to two decimals does
+constexpr double position_rounding = 0.0051;
 
 struct PlacedSlice {
   DicomSlice slice;
@@ -31,7 +31,7 @@ struct PlacedSlice {
 };
 
 /// The slices at one place.
-using Place = std::vector<PlacedSlice>;
+using SlicePlace = std::vector<PlacedSlice>;
 
 std::string file_of(const PlacedSlice& placed) {
   std::string name = placed.slice.image->path.filename().string();
@@ -46,7 +46,7 @@ class StackBuilder {
   DicomStack build(const VolumeChoice& choice) {
     const DicomFrame& first = *series_.slices.front().frame;
     check_spacing(first);
-    std::vector<Place> places = places_of(placed_slices());
+    std::vector<SlicePlace> places = places_of(placed_slices());
     drop_copies(places);
     const std::vector<PlacedSlice> slices = choose_phase(places, choice);
     for (const PlacedSlice& placed : slices) stack_.slices.push_back(placed.slice);
@@ -102,13 +102,13 @@ class StackBuilder {
     return placed;
   }
 
-  static std::vector<Place> places_of(std::vector<PlacedSlice> slices) {
+  static std::vector<SlicePlace> places_of(std::vector<PlacedSlice> slices) {
     std::stable_sort(slices.begin(), slices.end(),
                      [](const PlacedSlice& a, const PlacedSlice& b) { return a.along < b.along; });
     const double range = slices.back().along - slices.front().along;
     // Far below the distance of neighbours, however many slices share a place.
-    const double same_place = std::min(rounding, 0.01 * range / static_cast<double>(slices.size()));
-    std::vector<Place> places;
+    const double same_place = std::min(position_rounding, 0.01 * range / static_cast<double>(slices.size()));
+    std::vector<SlicePlace> places;
     for (PlacedSlice& placed : slices) {
       if (places.empty() || placed.along - places.back().front().along > same_place) places.emplace_back();
       places.back().push_back(std::move(placed));
@@ -116,9 +116,9 @@ class StackBuilder {
     return places;
   }
 
-  void drop_copies(std::vector<Place>& places) {
+  void drop_copies(std::vector<SlicePlace>& places) {
     std::size_t dropped = 0;
-    for (Place& place : places) {
+    for (SlicePlace& place : places) {
       for (std::size_t n = 1; n < place.size();) {
         const auto here = place.begin() + static_cast<std::ptrdiff_t>(n);
         const bool is_copy = std::any_of(place.begin(), here, [&](const auto& other) { return copies(other, *here); });
@@ -158,12 +158,12 @@ class StackBuilder {
   }
 
   /// One slice of each place.
-  std::vector<PlacedSlice> choose_phase(std::vector<Place>& places, const VolumeChoice& choice) {
+  std::vector<PlacedSlice> choose_phase(std::vector<SlicePlace>& places, const VolumeChoice& choice) {
     const std::size_t count = places.front().size();
-    const auto differs = [&](const Place& place) { return place.size() != count; };
+    const auto differs = [&](const SlicePlace& place) { return place.size() != count; };
     const auto other = std::find_if(places.begin(), places.end(), differs);
     if (other != places.end()) {
-      const Place& more = other->size() > count ? *other : places.front();
+      const SlicePlace& more = other->size() > count ? *other : places.front();
       fail(fmt::format(
           "{} slices lie at {:.6g} mm along their normal ({} and {}), but {} at {:.6g} mm; remove what does "
           "not belong to the volume, or copy the series again",
@@ -173,12 +173,12 @@ class StackBuilder {
     const std::size_t step = place_on_axis(choice.step, count, "step", path_);
     if (count > 1) order_phases(places);
     std::vector<PlacedSlice> chosen;
-    for (Place& place : places) chosen.push_back(std::move(place[step]));
+    for (SlicePlace& place : places) chosen.push_back(std::move(place[step]));
     return chosen;
   }
 
   /// Orders the slices of each place by the first value that differs among all of them.
-  void order_phases(std::vector<Place>& places) {
+  void order_phases(std::vector<SlicePlace>& places) {
     for (const char* name :
          {"TemporalPositionIndex", "TemporalPositionIdentifier", "EchoTime", "DiffusionBValue", "TriggerTime",
           "AcquisitionNumber", "AcquisitionDateTime", "AcquisitionTime", "InstanceNumber"}) {
@@ -186,7 +186,7 @@ class StackBuilder {
         const auto found = placed.slice.frame->phases.find(name);
         return found == placed.slice.frame->phases.end() ? std::nullopt : std::optional(found->second);
       };
-      const auto tells_apart = [&](Place& place) {
+      const auto tells_apart = [&](SlicePlace& place) {
         if (!std::all_of(place.begin(), place.end(), [&](const PlacedSlice& p) { return value(p).has_value(); }))
           return false;
         std::stable_sort(place.begin(), place.end(),
@@ -209,7 +209,7 @@ class StackBuilder {
                       "what does not belong to the volume",
                       first.size(), file_of(first[0]), file_of(first[1])));
     }
-    for (Place& place : places) {
+    for (SlicePlace& place : places) {
       std::stable_sort(place.begin(), place.end(), [](const PlacedSlice& a, const PlacedSlice& b) {
         return a.slice.frame->number < b.slice.frame->number;
       });
@@ -224,7 +224,7 @@ class StackBuilder {
     const auto last = static_cast<double>(slices.size() - 1);
     const Eigen::Vector3d step = (slices.back().position - slices.front().position) / last;
     const double distance = normal_.dot(step);
-    const double tolerance = std::max(most_irregular * distance, std::min(rounding, 0.1 * distance));
+    const double tolerance = std::max(most_irregular * distance, std::min(position_rounding, 0.1 * distance));
     double most = 0.0;
     for (std::size_t k = 0; k < slices.size(); ++k) {
       const Eigen::Vector3d at = slices.front().position + static_cast<double>(k) * step;
@@ -259,7 +259,7 @@ class StackBuilder {
     const bool few_are_wide = wide <= std::max<std::ptrdiff_t>(1, std::ssize(distances) / 4);
     for (std::size_t k = 1; k < slices.size(); ++k) {
       const double distance = distances[k - 1];
-      const double tolerance = std::max(2.0 * most_irregular * usual, std::min(2.0 * rounding, 0.1 * usual));
+      const double tolerance = std::max(2.0 * most_irregular * usual, std::min(2.0 * position_rounding, 0.1 * usual));
       if (std::abs(distance - usual) <= tolerance) continue;
       const std::string where =
           fmt::format("between {} at {:.6g} mm and {} at {:.6g} mm along their normal", file_of(slices[k - 1]),

@@ -85,6 +85,14 @@ TEST(ReadBadDicom, HostileSizesTakeNoMemory) {
   expect_data_error(file.write(folder.path() / "a.dcm"), "truncated: its header states 100000 frames");
 }
 
+TEST(ReadBadDicom, HostileSizesOfCompressedFramesTakeNoMemory) {
+  const TestFolder folder;
+  DicomTestFile file = dicom_slice(0);
+  file.syntax = TS::RLELossless;
+  file.data.number(0x0028, 0x0010, 65535).number(0x0028, 0x0011, 65535);
+  expect_data_error(file.write(folder.path() / "a.dcm"), "too few for its 65535 × 65535 samples");
+}
+
 TEST(ReadBadDicom, SamplesThatNoVolumeHas) {
   const TestFolder folder;
   const auto expect_refused = [&](const DicomTestFile& file, const std::string& part) {
