@@ -257,6 +257,12 @@ Stored value_of(Stored raw, const DicomLayout& layout) {
   }
 }
 
+/// Whether type_of_sums() gives T for samples stored as Stored; spares the compiler the other pairs.
+template <class Stored, class T>
+constexpr bool is_possible = std::is_same_v<Stored, T> || std::is_same_v<RealOf<Stored>, T> ||
+                             (std::is_integral_v<Stored> && sizeof(Stored) <= 4 && std::is_integral_v<T> &&
+                              (sizeof(T) == 2 || sizeof(T) == 4));
+
 template <class Stored, class T>
 void append_frame(const std::vector<char>& bytes, const FrameConversion& conversion, std::vector<T>& samples) {
   const DicomLayout& layout = conversion.layout;
@@ -306,8 +312,10 @@ Samples read_dicom_samples(const DicomStack& stack, std::size_t component) {
     // This takes only addresses, no memory yet.
     values.reserve(stack.lattice.nodes());
     Samples(stored_type(layout)).visit([&](const auto& stored) {
-      for (const DicomSlice& slice : stack.slices) {
-        append_frame<SampleOf<decltype(stored)>>(frames.read(slice), conversion_of(slice, component), values);
+      using Stored = SampleOf<decltype(stored)>;
+      if constexpr (is_possible<Stored, SampleOf<decltype(values)>>) {
+        for (const DicomSlice& slice : stack.slices)
+          append_frame<Stored>(frames.read(slice), conversion_of(slice, component), values);
       }
     });
   });

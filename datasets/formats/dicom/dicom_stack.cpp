@@ -21,7 +21,7 @@ namespace {
 // Of the distance between slices: what positions may differ from equal distances. Files state them with two or three
 // decimals.
 constexpr double most_irregular = 0.01;
-// mm: as much as position_rounding to two decimals does
+// mm: as much as rounding to two decimals does
 constexpr double position_rounding = 0.0051;
 
 struct PlacedSlice {
