@@ -54,9 +54,9 @@ TEST(ReadVolumeBadInput, ForeignEmptyAndMissingFiles) {
     expect_data_error(folder.path() / ("missing-" + name), "no such file");
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  expect_data_error(folder.write("volume.tiff", "II"), ".nii.gz");
+  expect_data_error(folder.write("volume.xyz", "II"), ".nii.gz");
   std::filesystem::create_directory(folder.path() / "folder.nrrd");
-  expect_data_error(folder.path() / "folder.nrrd", "not a file");
+  expect_data_error(folder.path() / "folder.nrrd", "an empty folder");
 }
 
 TEST(ReadVolumeBadInput, DamagedCompressedData) {

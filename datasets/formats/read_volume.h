@@ -11,12 +11,13 @@
 
 namespace isobench {
 
-/// Reads NRRD (.nrrd, .nhdr), MetaImage (.mhd, .mha), NIfTI (.nii, .nii.gz), VTI (.vti) or INRIMAGE-4 (.inr, .inr.gz)
-/// by the path's ending, with spacing, origin and direction in mm; docs/INPUTS.md says what is understood of each.
-/// Samples keep the type that they have in the file; only a slope and an intercept turn them into RealOf their type.
-/// Memory: one array of samples, and for VTI the whole file. Throws DataError naming the file if it is missing, empty,
-/// truncated, of another format, if it holds several volumes and `choice` does not say which, or if `choice` asks for
-/// something that the file or its format does not have.
+/// Reads NRRD (.nrrd, .nhdr), MetaImage (.mhd, .mha), NIfTI (.nii, .nii.gz), VTI (.vti), INRIMAGE-4 (.inr, .inr.gz)
+/// or TIFF (.tif, .tiff) by the path's ending, and DICOM by the file's first bytes. A folder of DICOM files or of TIFF
+/// files, or a pattern such as "slice%03d.tif", means the stack that they make. All with spacing, origin and direction
+/// in mm; docs/INPUTS.md says what is understood of each. Samples keep the type that they have in the file; only a
+/// slope and an intercept turn them into RealOf their type. Memory: one array of samples, and for VTI the whole file.
+/// Throws DataError naming the file if it is missing, empty, truncated, of another format, if it holds several volumes
+/// and `choice` does not say which, or if `choice` asks for something that the file or its format does not have.
 VolumeFile read_volume(const std::filesystem::path& path, const VolumeChoice& choice = {});
 
 /// The formats that read_volume() knows, for a help text: "NRRD (.nrrd, .nhdr), …".

@@ -14,12 +14,15 @@ namespace {
 constexpr std::size_t most_deflation = 1032;
 constexpr std::size_t most_bzip2 = std::size_t{1} << 20U;
 
-/// What must hold for every volume that was read. In particular, it has no more samples than the file can hold.
-void check_volume(const Volume& volume, std::size_t file_bytes, std::size_t factor = most_deflation) {
+/// What must hold for every volume that was read. In particular, it has no more samples than the file can hold:
+/// `compression` times its bytes, and `free` samples whatever its size is.
+void check_volume(const Volume& volume, std::size_t file_bytes, std::size_t compression = most_deflation,
+                  std::size_t free = 0) {
   const Lattice& lattice = volume.lattice;
   require(*std::min_element(lattice.size.begin(), lattice.size.end()) >= 1, "a volume has nodes");
   require(volume.samples.size() == lattice.nodes(), "a volume has one sample a node");
-  require(volume.samples.size() <= factor * file_bytes, "a file has no more samples than bytes, but for compression");
+  require(volume.samples.size() <= free + compression * file_bytes,
+          "a file has no more samples than bytes, but for compression");
   require((lattice.spacing.array() > 0.0).all() && lattice.spacing.allFinite(), "spacings are positive");
   require(lattice.origin.allFinite() && lattice.direction.allFinite(), "a volume has a place in space");
 }
@@ -105,6 +108,23 @@ bool fuzz_mgh(std::string_view bytes) { return read("volume.mgz", bytes); }
 bool fuzz_mrc(std::string_view bytes) { return read("volume.mrc", bytes); }
 
 bool fuzz_vti(std::string_view bytes) { return read("volume.vti", bytes); }
+
+/// The bytes are the only DICOM file of a folder. A nearly empty frame may be large.
+bool fuzz_dicom(std::string_view bytes) {
+  return accepts([&] {
+    constexpr std::size_t largest_frame = std::size_t{1} << 26U;
+    check_volume(read_volume(fuzz_file("volume.dcm", bytes)).volume, bytes.size(), 1032, largest_frame);
+    return true;
+  });
+}
+
+bool fuzz_tiff(std::string_view bytes) {
+  return accepts([&] {
+    constexpr std::size_t most_compression = std::size_t{1} << 16U;
+    check_volume(read_volume(fuzz_file("volume.tif", bytes)).volume, bytes.size(), most_compression, most_compression);
+    return true;
+  });
+}
 
 /// The input begins with the layout: two bytes for each of the three sizes, and one each for the type, the byte order
 /// and the number of files.

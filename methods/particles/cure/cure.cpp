@@ -174,6 +174,8 @@ class Curing {
   // At each pinch that adding particles has not removed, changes the label of a cell that makes the pinches fewer.
   void cut_pinches(Findings& found) {
     constexpr int most_cuts = 10;
+    constexpr std::size_t most_pinches = 100;  // more are no remains of a cure, but a surface that cannot be followed
+    if (found.pinched.size() > most_pinches) return;
     for (int cut = 0; cut < most_cuts && !found.pinched.empty(); ++cut) {
       std::size_t flipped = 0;
       for (const std::uint32_t point : found.pinched) flipped += cut_pinch(point) ? 1 : 0;
