@@ -171,40 +171,17 @@ class Curing {
     std::iota(unchecked_.begin(), unchecked_.end(), 0U);
   }
 
-  // At each pinch that adding particles has not removed, changes the label of a cell that makes the pinches fewer.
+  // Changes the label of a cell at each pinch that adding particles has not removed.
   void cut_pinches(Findings& found) {
     constexpr int most_cuts = 10;
-    constexpr std::size_t most_pinches = 100;  // more are no remains of a cure, but a surface that cannot be followed
-    if (found.pinched.size() > most_pinches) return;
     for (int cut = 0; cut < most_cuts && !found.pinched.empty(); ++cut) {
       std::size_t flipped = 0;
-      for (const std::uint32_t point : found.pinched) flipped += cut_pinch(point) ? 1 : 0;
+      for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
       result_.flipped += flipped;
       if (flipped == 0) break;
       check_all_next();
       found = find_defects();
     }
-  }
-
-  bool cut_pinch(std::uint32_t point) {
-    if (count_pinches({point}) == 0) return false;  // the cut at another pinch has mended it
-    for (std::size_t rank = 0;; ++rank) {
-      const auto corners = delaunay_.flip_label_at(point, rank);
-      if (!corners) return false;
-      const std::vector<std::uint32_t> changed(corners->begin(), corners->end());
-      const std::size_t after = count_pinches(changed);
-      delaunay_.flip_label_at(point, rank);
-      if (after < count_pinches(changed)) return delaunay_.flip_label_at(point, rank).has_value();
-    }
-  }
-
-  // How many of these points, ascending, are pinched.
-  std::size_t count_pinches(const std::vector<std::uint32_t>& points) const {
-    const std::vector<Facet> facets = delaunay_.facets_at(points);
-    const FacetFans fans(facets, particles_.size());
-    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](std::uint32_t point) {
-      return !fans.facets_at(point).empty() && !fans.is_closed_fan(point);
-    }));
   }
 
   // Checks the facets at the unchecked particles. All other facets had no defect in the check before, and have not
