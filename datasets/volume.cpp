@@ -71,7 +71,8 @@ bool needs_double(const Volume& volume) {
     } else {
       return std::any_of(samples.begin(), samples.end(), [](T sample) {
         const auto exact = static_cast<double>(sample);
-        const bool is_rounded = std::is_integral_v<T> && std::abs(exact) > 9007199254740992.0;  // 2^53: already in double
+        const bool is_rounded =
+            std::is_integral_v<T> && std::abs(exact) > 9007199254740992.0;  // 2^53: already in double
         return is_rounded || (static_cast<double>(static_cast<float>(sample)) != exact && !std::isnan(exact));
       });
     }
