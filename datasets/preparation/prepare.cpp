@@ -43,9 +43,9 @@ void apply(Volume& volume, const PrepareStep& step, Monitor& monitor) {
           [&](const Resample& s) { compute(volume, [&](const auto& reals) { return resample(reals, s.spacing); }); },
           [&](const SignedDistance&) { volume = signed_distance(std::move(volume), monitor); },
           [&](const Gaussian& s) {
-            compute(volume, [&](auto&& reals) {
+            compute(volume, [&](auto reals) {
               gaussian(reals, s.sigma, monitor);
-              return std::move(reals);
+              return reals;
             });
           },
           [&](const CloseBorder& s) { close_border(volume, s, monitor); },

@@ -69,7 +69,7 @@ void check(const SurfaceArguments& surface) {
   if (dataset) return check_dataset(surface);
   if (!surface.isovalue && surface.labels.empty())
     throw UsageError("--volume needs --isovalue, the value of its surface, or --labels, those of the object");
-  if (surface.resample.size() != 0 && surface.resample.size() != 1 && surface.resample.size() != 3)
+  if (!surface.resample.empty() && surface.resample.size() != 1 && surface.resample.size() != 3)
     throw UsageError("--resample takes one spacing in mm, or three: X,Y,Z");
   steps_of(asked_of(surface), {});  // throws if the arguments contradict each other
   if (!surface.save_manifest.empty()) check_manifest(surface);
