@@ -12,9 +12,9 @@
 
 #include "isobench/datasets/formats/read_volume.h"
 #include "isobench/datasets/isosurface.h"
-#include "isobench/datasets/manifests/surface_choices.h"
 #include "isobench/datasets/phantoms/phantoms.h"
 #include "isobench/datasets/preparation/prepare.h"
+#include "isobench/datasets/surface_choices.h"
 #include "isobench/datasets/topology/certified_topology.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/monitor.h"

@@ -11,8 +11,8 @@
 #include "isobench/datasets/formats/reading/volume_file.h"
 #include "isobench/datasets/isosurface.h"
 #include "isobench/datasets/manifests/catalogue.h"
-#include "isobench/datasets/manifests/surface_choices.h"
 #include "isobench/datasets/preparation/prepare.h"
+#include "isobench/datasets/surface_choices.h"
 #include "isobench/foundation/monitor.h"
 
 namespace isobench {

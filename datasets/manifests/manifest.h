@@ -11,8 +11,8 @@
 #include "isobench/datasets/generated/generated.h"
 #include "isobench/datasets/isosurface.h"
 #include "isobench/datasets/manifests/family.h"
-#include "isobench/datasets/manifests/surface_choices.h"
 #include "isobench/datasets/preparation/prepare.h"
+#include "isobench/datasets/surface_choices.h"
 
 namespace isobench {
 

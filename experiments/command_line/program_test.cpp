@@ -155,7 +155,7 @@ TEST_F(ProgramVerbs, MeshThenMeasureAgree) {
   // The mesh went to world coordinates, into a file and back, and still has the same figures, line by line. Those of
   // use are measured only when asked for.
   const std::size_t begin = meshed.out.find("size ");
-  const std::size_t end = meshed.out.find("time    ");
+  const std::size_t end = meshed.out.find("frame   ");
   const std::size_t of_use = measured.out.find("time step ");
   ASSERT_NE(end, std::string::npos) << meshed.out;
   ASSERT_NE(of_use, std::string::npos) << measured.out;

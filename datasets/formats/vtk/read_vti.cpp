@@ -187,6 +187,7 @@ void check_extent(const Extent& extent, const Extent& whole, const VtkXmlFile& f
 VolumeFile read_vti(const std::filesystem::path& path, const VolumeChoice& choice) {
   const VtkXmlFile file(path, "ImageData");
   const Extent whole = extent_of(file.data().attribute("WholeExtent"), path);
+  lattice_of(file.data(), whole, Where::points, path);  // throws before pieces are looked for
   const VtkElement* first = file.data().child("Piece");
   if (first == nullptr) file.fail("truncated: pieces of it are missing; copy or export it again");
   const std::vector<NamedArray> arrays = arrays_of(*first, file);
