@@ -115,8 +115,9 @@ Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& 
                           const std::filesystem::path& manifest) {
   steps_of(asked, {});  // throws before the file is read if it is no sensible question
   Dataset dataset;
-  dataset.name = path.stem().string();
-  dataset.title = path.filename().string();
+  const std::filesystem::path named = path.has_filename() ? path : path.parent_path();  // of a folder: "scan/"
+  dataset.name = named.stem().string();
+  dataset.title = named.filename().string();
   dataset.source = path.string();
   VolumeFile file;
   {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "isobench/datasets/formats/dicom/test_dicom_writer.h"
 #include "isobench/datasets/formats/write_volume.h"
 #include "isobench/foundation/error.h"
 #include "isobench/foundation/testing/test_folder.h"
@@ -121,6 +122,30 @@ TEST(FileSurface, ItsManifestGivesTheSameSurface) {
     EXPECT_EQ(by_manifest.surface->isovalue(), by_options.surface->isovalue());
     EXPECT_EQ(by_manifest.surface->lattice().origin, by_options.surface->lattice().origin);
   }
+}
+
+// What is meshed of a DICOM series is what is meshed of the same samples in one file.
+TEST(FileSurface, OfADicomSeriesIsThatOfItsSamples) {
+  const TestFolder folder;
+  for (int k = 0; k < nz; ++k)
+    dicom_slice(k, "1.2.3").write(folder.path() / "scan" / fmt::format("{}.dcm", (7 * k) % nz));
+  Volume volume;
+  volume.lattice = lattice_of({nx, ny, nz}, spacing);
+  volume.lattice.direction = oblique();
+  volume.lattice.origin = origin;
+  volume.lattice.space = "LPS";
+  const std::vector<float> values = samples();
+  volume.samples = std::vector<std::uint16_t>(values.begin(), values.end());
+  write_volume(volume, folder.path() / "scan.nrrd");
+  Monitor monitor;
+  const FileSurface asked = {.isovalue = closed_isovalue};
+  const Dataset series = dataset_from_file(folder.path() / "scan" / "", asked, monitor);
+  const Dataset file = dataset_from_file(folder.path() / "scan.nrrd", asked, monitor);
+  EXPECT_EQ(series.name, "scan");
+  EXPECT_EQ(coefficients_of(series), coefficients_of(file));
+  EXPECT_LT(
+      (series.surface->lattice().to_world({3.0, 2.0, 6.0}) - file.surface->lattice().to_world({3.0, 2.0, 6.0})).norm(),
+      1e-5);
 }
 
 TEST(FileSurface, RefusesQuestionsThatContradictThemselves) {

@@ -35,6 +35,13 @@ void check_manifest(const SurfaceArguments& surface) {
   if (path.extension() != ".toml")
     throw UsageError(fmt::format("--save-manifest {}: a manifest's name ends in .toml", path.string()));
   std::error_code error;
+  if (fs::is_directory(surface.volume, error)) {
+    throw UsageError(
+        fmt::format("--save-manifest {}: a manifest names files, not folders; give --volume one of the files in {}, "
+                    "which stands for "
+                    "its series",
+                    path.string(), surface.volume.string()));
+  }
   const fs::path beside = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const fs::path data = surface.volume.has_parent_path() ? surface.volume.parent_path() : fs::path(".");
   if (!fs::equivalent(beside, data, error)) {
