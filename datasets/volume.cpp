@@ -105,8 +105,6 @@ Range sample_range(const Volume& volume) {
   return volume.samples.visit([&](const auto& samples) { return range_of(volume.lattice, samples); });
 }
 
-Range sample_range(const FloatVolume& volume) { return range_of(volume.lattice, volume.samples); }
-
 std::string range_text(const Volume& volume) {
   return volume.samples.visit([&](const auto& samples) {
     const auto [least, most] = extremes(volume.lattice, samples);

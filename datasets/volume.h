@@ -83,7 +83,6 @@ struct Range {
 /// Throws DataError naming the node if a sample is NaN or infinite, or if there are no samples. Linear time; takes no
 /// memory.
 Range sample_range(const Volume& volume);
-Range sample_range(const FloatVolume& volume);
 
 /// "[0, 255]": the smallest and the largest sample, exact in the samples' own type. Throws as sample_range() does.
 std::string range_text(const Volume& volume);
