@@ -262,7 +262,9 @@ TEST_F(Inputs, CompressedDataBeginWhereTheHeaderSays) {
 // around.
 TEST_F(Inputs, AFewSlicesAreASlab) {
   std::string slice;
-  for (int n = 0; n < 40 * 40; ++n) slice += std::hypot(n % 40 - 19.5, n / 40 - 19.5) < 10.0 ? '\x01' : '\0';
+  for (int j = 0; j < 40; ++j) {
+    for (int i = 0; i < 40; ++i) slice += std::hypot(i - 19.5, j - 19.5) < 10.0 ? '\x01' : '\0';
+  }
   const auto volume_of_file = [&](int slices, const std::string& data) {
     folder_.write(
         "slices.nrrd",
