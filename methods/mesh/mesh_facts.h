@@ -1,4 +1,4 @@
-// Figures of a mesh for the tests of methods, which cannot include metrics/: that floor is above methods/.
+// Figures of a mesh for methods, which cannot include metrics/: that floor is above methods/.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -70,9 +70,11 @@ inline MeshFacts mesh_facts(const TriangleMesh& mesh) {
   facts.euler = static_cast<long>(mesh.vertices.size()) - edge_count + static_cast<long>(mesh.triangles.size());
   facts.components = mesh_facts_detail::count_components(mesh);
   for (const Triangle& t : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.vertices[t[0]];
-    const Eigen::Vector3d& b = mesh.vertices[t[1]];
-    const Eigen::Vector3d& c = mesh.vertices[t[2]];
+    // From a point of the mesh: from a far origin, the tetrahedra would cancel and lose digits.
+    const Eigen::Vector3d& first = mesh.vertices[mesh.triangles.front()[0]];
+    const Eigen::Vector3d a = mesh.vertices[t[0]] - first;
+    const Eigen::Vector3d b = mesh.vertices[t[1]] - first;
+    const Eigen::Vector3d c = mesh.vertices[t[2]] - first;
     facts.area += 0.5 * (b - a).cross(c - a).norm();
     facts.volume += a.dot(b.cross(c)) / 6.0;
   }

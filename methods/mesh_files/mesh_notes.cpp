@@ -9,59 +9,11 @@
 #include <cstdint>
 
 #include "isobench/foundation/text.h"
+#include "isobench/methods/mesh/mesh_facts.h"
 
 namespace isobench {
 
 namespace {
-
-/// An edge of a triangle: its vertices in the order of their numbers, and whether the triangle runs in that order.
-struct Side {
-  std::uint32_t low;
-  std::uint32_t high;
-  bool forward;
-};
-
-struct EdgeFacts {
-  std::size_t sides = 0;
-  std::size_t edges = 0;
-  bool closed = true;  ///< as many triangles run through each edge one way as the other
-};
-
-EdgeFacts edge_facts(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t a = t[c], b = t[(c + 1) % 3];
-      if (a != b) sides.push_back({std::min(a, b), std::max(a, b), a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-  EdgeFacts facts;
-  facts.sides = sides.size();
-  for (std::size_t begin = 0; begin < sides.size(); ++facts.edges) {
-    long balance = 0;
-    std::size_t end = begin;
-    for (; end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high; ++end) {
-      balance += sides[end].forward ? 1 : -1;
-    }
-    facts.closed = facts.closed && balance == 0;
-    begin = end;
-  }
-  return facts;
-}
-
-double signed_volume(const TriangleMesh& mesh) {
-  // From a point of the mesh: from a far origin, the tetrahedra would cancel and lose digits.
-  const Eigen::Vector3d origin = mesh.vertices[mesh.triangles.front()[0]];
-  double six_volumes = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const auto corner = [&](std::size_t c) -> Eigen::Vector3d { return mesh.vertices[t[c]] - origin; };
-    six_volumes += corner(0).dot(corner(1).cross(corner(2)));
-  }
-  return six_volumes / 6.0;
-}
 
 std::vector<char> used(const TriangleMesh& mesh) {
   std::vector<char> used(mesh.vertices.size(), 0);
@@ -104,9 +56,10 @@ double largest_move(const TriangleMesh& mesh) {
   return mean > 0.0 ? move / mean : 0.0;
 }
 
-std::string sharing_note(const TriangleMesh& mesh, const EdgeFacts& facts) {
+std::string sharing_note(const TriangleMesh& mesh, const MeshFacts& facts) {
+  const auto edges = static_cast<long>(mesh.vertices.size() + mesh.triangles.size()) - facts.euler;
   // Each side is an edge of its own. A single triangle is no soup.
-  if (mesh.triangles.size() < 2 || facts.edges != facts.sides) return "";
+  if (mesh.triangles.size() < 2 || edges != 3 * static_cast<long>(mesh.triangles.size())) return "";
   const std::vector<char> in_use = used(mesh);
   const auto vertices = static_cast<std::size_t>(std::count(in_use.begin(), in_use.end(), 1));
   const std::size_t places = distinct_places<double>(mesh, in_use);
@@ -121,13 +74,12 @@ std::string sharing_note(const TriangleMesh& mesh, const EdgeFacts& facts) {
 std::vector<std::string> notes_on(const TriangleMesh& mesh) {
   std::vector<std::string> notes;
   if (mesh.triangles.empty()) return notes;
-  const EdgeFacts facts = edge_facts(mesh);
-  const double volume = facts.closed ? signed_volume(mesh) : 0.0;
-  if (volume < 0.0) {
+  const MeshFacts facts = mesh_facts(mesh);
+  if (facts.open_edges == 0 && facts.volume < 0.0) {
     notes.push_back(
         fmt::format("the mesh is inside out: it is closed, and its triangles are clockwise seen from outside "
                     "(volume {:.6g} mm³); turn its triangles",
-                    volume));
+                    facts.volume));
   }
   if (std::string note = sharing_note(mesh, facts); !note.empty()) notes.push_back(std::move(note));
   const auto twice = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),

@@ -64,7 +64,7 @@ bool is_usable(const Placement& placement) {
     if (!(length > 0.0) || !std::isfinite(length)) return false;
     direction.col(axis) /= length;
   }
-  return std::abs(direction.determinant()) > 0.1 && placement.origin.allFinite();
+  return std::abs(direction.determinant()) > least_determinant && placement.origin.allFinite();
 }
 
 std::optional<Placement> by_sform(const NiftiFields& fields, double unit, const Eigen::Vector3d& voxel) {

@@ -39,9 +39,7 @@ Lattice make_lattice(const std::filesystem::path& path, const std::array<long lo
     lattice.spacing[axis] = spacing[axis];
     lattice.direction.col(axis) = direction.col(axis) / length;
   }
-  // A gantry is tilted by at most 30°, and a slice is never nearly parallel to the direction of the slices.
-  constexpr double least_volume = 0.1;
-  if (!(std::abs(lattice.direction.determinant()) > least_volume)) {
+  if (!(std::abs(lattice.direction.determinant()) > least_determinant)) {
     throw DataError(path.string() + ": its three axes lie nearly in a plane; correct the header");
   }
   if (!origin.allFinite()) throw DataError(path.string() + ": its origin is not a finite point; correct its header");

@@ -9,6 +9,10 @@
 
 namespace isobench {
 
+/// The least determinant of a lattice's three unit axes. A gantry is tilted by at most 30°, and a slice is never nearly
+/// parallel to the direction of the slices.
+inline constexpr double least_determinant = 0.1;
+
 /// Makes and checks a lattice; the columns of `direction` may have any length and are normalised. They need not be
 /// perpendicular. Throws DataError naming the file if a size is below 1 or their product too large, if a spacing is not
 /// positive, if the three axes lie nearly in a plane, or if the origin is not finite.
