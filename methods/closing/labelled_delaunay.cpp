@@ -291,25 +291,26 @@ std::uint32_t LabelledDelaunay::nearest(const Eigen::Vector3d& x, std::uint32_t 
   return t.delaunay.nearest_vertex(Kernel3::Point_3(x[0], x[1], x[2]), t.vertices[near]->cell())->info();
 }
 
-bool LabelledDelaunay::flip_label_at(std::uint32_t point) {
-  Triangulation& t = *triangulation_;
+std::optional<LabelledDelaunay::Corners> LabelledDelaunay::flip_label_at(std::uint32_t point, std::size_t rank) {
+  const Triangulation& t = *triangulation_;
   std::vector<Cell> around;
   t.delaunay.finite_incident_cells(t.vertices[point], std::back_inserter(around));
-  Cell nearest;
-  double least = 0.5 * t.surface.voxel();
+  std::vector<std::pair<double, Cell>> near;
   for (const Cell& cell : around) {
     const Eigen::Vector3d centre = circumcentre(cell);
     if (!within(centre, t.surface)) continue;
     const Jet jet = t.surface.value_gradient(centre);
     const double distance = std::abs(jet.value) / jet.gradient.norm();
-    if (distance < least) {
-      least = distance;
-      nearest = cell;
-    }
+    if (distance < 0.5 * t.surface.voxel()) near.emplace_back(distance, cell);
   }
-  if (nearest == Cell()) return false;
-  nearest->info() = !nearest->info();
-  return true;
+  if (rank >= near.size()) return {};
+  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const Cell cell = near[rank].second;
+  cell->info() = !cell->info();
+  Corners corners{};
+  for (int i = 0; i < 4; ++i) corners[static_cast<std::size_t>(i)] = cell->vertex(i)->info();
+  std::sort(corners.begin(), corners.end());
+  return corners;
 }
 
 }  // namespace isobench

@@ -6,8 +6,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "isobench/datasets/isosurface.h"
@@ -60,10 +63,14 @@ class LabelledDelaunay {
   /// The point nearest to x. The search starts at point `near`.
   std::uint32_t nearest(const Eigen::Vector3d& x, std::uint32_t near) const;
 
-  /// Changes the label of one finite cell at a point: the one whose circumcentre is nearest to the surface by |f|/|∇f|.
-  /// This is the last resort where no point can be added. Returns false, and changes nothing, if no such circumcentre
-  /// is within half a voxel of the surface.
-  bool flip_label_at(std::uint32_t point);
+  /// The points of a cell, ascending.
+  using Corners = std::array<std::uint32_t, 4>;
+
+  /// Changes the label of one finite cell at a point, and returns the cell's corners. The cells are ranked by how near
+  /// their circumcentres are to the surface, by |f|/|∇f|; 0 is the nearest. Doing it again changes the label back. This
+  /// is the last resort where no point can be added. Returns nothing, and changes nothing, if `rank` or fewer cells
+  /// have their circumcentres within half a voxel of the surface.
+  std::optional<Corners> flip_label_at(std::uint32_t point, std::size_t rank = 0);
 
  private:
   struct Triangulation;

@@ -120,7 +120,7 @@ Method method_cvt() {
   method.summary =
       "Centroidal Voronoi tessellation of F = c with density 1/h^4, by Lloyd's iterations and L-BFGS, closed by a "
       "sign-labelled Delaunay triangulation (Du, Faber, Gunzburger 1999; Liu, Wang, Levy et al. 2009)";
-  method.revision = 4;
+  method.revision = 5;
   method.parameters = {
       {"contraction",
        1.5,

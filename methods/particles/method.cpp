@@ -10,7 +10,7 @@ Method method_particles() {
   method.summary =
       "Particles on F = c relaxed to a hexagonal packing under the sizing field, closed by a sign-labelled Delaunay "
       "triangulation (after Meyer, Kirby, Whitaker 2007)";
-  method.revision = 10;
+  method.revision = 11;
   method.promises_manifold = true;
   method.microseconds_per_vertex = 70.0;
   method.bytes_per_vertex = 1300.0;

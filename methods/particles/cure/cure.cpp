@@ -5,11 +5,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <span>
 
 #include "isobench/methods/mesh/component_match.h"
 #include "isobench/methods/particles/cure/dual_edge_crossings.h"
@@ -24,6 +27,7 @@ namespace {
 
 using Facet = LabelledDelaunay::Facet;
 
+constexpr int most_cuts = 10;               // rounds that change the labels of cells at pinches
 constexpr double least_facet_cosine = 0.5;  // between a facet and the normal at a corner; below, the facet is tilted
 constexpr double least_gap = 0.15;          // from a new particle to those around it, times the spacing there
 constexpr double least_gap_to_all = 0.01;   // from a new particle to any other, times the spacing there
@@ -42,6 +46,12 @@ struct Findings {
   std::vector<std::uint32_t> facets;    // defective facets, indices into Curing::facets_, ascending
   std::vector<std::uint32_t> isolated;  // points without a facet
   std::vector<std::uint32_t> pinched;   // points whose facets do not form one closed fan
+};
+
+// A cell of the triangulation whose label is changed: LabelledDelaunay::flip_label_at().
+struct Cut {
+  std::uint32_t point = 0;
+  std::size_t rank = 0;
 };
 
 class Curing {
@@ -66,10 +76,7 @@ class Curing {
     const int most_comparisons = options_.rounds > 0 || options_.relaxations > 0 ? 3 : 0;
     for (int comparison = 0;; ++comparison) {
       remove_defects(found, monitor);
-      const std::vector<std::vector<Eigen::Vector3d>> places = small_places(differing_components());
-      found.defects.differing = places.size();
-      result_.differs_near.clear();
-      for (const auto& of_component : places) result_.differs_near.push_back(of_component.front());
+      const std::vector<std::vector<Eigen::Vector3d>> places = compare(found);
       if (places.empty() || comparison == most_comparisons || is_endless(found)) break;
       proposed_.clear();
       relaxation_centres_.clear();
@@ -81,6 +88,7 @@ class Curing {
       check_all_next();
       found = find_defects();
     }
+    cut_last_pinches(found);
     result_.after = found.defects;
     result_.gave_up = found.defects.all() > 0 && is_endless(found);
     return result_;
@@ -133,6 +141,15 @@ class Curing {
     checks_without_progress_ = 0;
   }
 
+  // Compares the mesh with F = c, and returns the small places of each component that differs.
+  std::vector<std::vector<Eigen::Vector3d>> compare(Findings& found) {
+    std::vector<std::vector<Eigen::Vector3d>> places = small_places(differing_components());
+    found.defects.differing = places.size();
+    result_.differs_near.clear();
+    for (const auto& of_component : places) result_.differs_near.push_back(of_component.front());
+    return places;
+  }
+
   std::vector<char> differing_components() const {
     const TriangleMesh mesh{particles_.points, delaunay_.triangles(), {}, {}};
     const std::vector<Shown> shown = match_components(mesh, sized_.surface(), topology_).shown;
@@ -171,9 +188,9 @@ class Curing {
     std::iota(unchecked_.begin(), unchecked_.end(), 0U);
   }
 
-  // Changes the label of a cell at each pinch that adding particles has not removed.
+  // Changes the label of the nearest cell at each pinch that adding particles has not removed. Two pinches often share
+  // that cell, and its label ends as it was; the particles of the next comparison, or cut_last_pinches(), mend those.
   void cut_pinches(Findings& found) {
-    constexpr int most_cuts = 10;
     for (int cut = 0; cut < most_cuts && !found.pinched.empty(); ++cut) {
       std::size_t flipped = 0;
       for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
@@ -182,6 +199,59 @@ class Curing {
       check_all_next();
       found = find_defects();
     }
+  }
+
+  // Cuts the pinches that are left in the end one after the other, each at a cell whose other label makes them fewer.
+  // All these cuts are undone if a component then differs that did not. Where many pinches are left, the cure has
+  // failed for another reason.
+  void cut_last_pinches(Findings& found) {
+    constexpr std::size_t most_pinches = 100;
+    if (found.pinched.empty() || found.pinched.size() > most_pinches) return;
+    const Findings before = found;
+    const std::vector<Eigen::Vector3d> differed_near = result_.differs_near;
+    std::vector<Cut> cuts;
+    for (int round = 0; round < most_cuts && !found.pinched.empty(); ++round) {
+      const std::size_t done = cuts.size();
+      for (const std::uint32_t point : found.pinched) {
+        const auto cut = best_cut(point);
+        if (!cut) continue;
+        delaunay_.flip_label_at(cut->point, cut->rank);
+        cuts.push_back(*cut);
+      }
+      if (cuts.size() == done) break;
+      check_all_next();
+      found = find_defects();
+    }
+    compare(found);
+    if (found.defects.differing <= before.defects.differing && found.pinched.size() < before.pinched.size()) {
+      result_.flipped += cuts.size();
+      return;
+    }
+    for (const Cut& cut : cuts) delaunay_.flip_label_at(cut.point, cut.rank);
+    found = before;
+    result_.differs_near = differed_near;
+  }
+
+  // The nearest cell whose other label leaves fewer pinches among its corners; nothing if there is none, or if the
+  // cut at another pinch has mended this one.
+  std::optional<Cut> best_cut(std::uint32_t point) {
+    if (count_pinches(std::array{point}) == 0) return {};
+    for (std::size_t rank = 0;; ++rank) {
+      const auto corners = delaunay_.flip_label_at(point, rank);
+      if (!corners) return {};
+      const std::size_t after = count_pinches(*corners);
+      delaunay_.flip_label_at(point, rank);
+      if (after < count_pinches(*corners)) return Cut{point, rank};
+    }
+  }
+
+  // How many of these points, ascending, are pinched.
+  std::size_t count_pinches(std::span<const std::uint32_t> points) const {
+    const std::vector<Facet> facets = delaunay_.facets_at({points.begin(), points.end()});
+    const FacetFans fans(facets, particles_.size());
+    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](std::uint32_t point) {
+      return !fans.facets_at(point).empty() && !fans.is_closed_fan(point);
+    }));
   }
 
   // Checks the facets at the unchecked particles. All other facets had no defect in the check before, and have not

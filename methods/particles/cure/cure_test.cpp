@@ -128,6 +128,20 @@ TEST(ParticlesCure, FindsAComponentThatHasNoParticles) {
   expect_shape_of(spheres.mesh, phantom("near-spheres"));
 }
 
+// Two pinches often share the cell whose label mends both; changed for each of them, it would be what it was.
+TEST(ParticlesCure, CutsPinchesWhereItMayNotAddParticles) {
+  for (const double edge : {1.0, 1.7, 2.0, 2.5, 3.0}) {
+    SCOPED_TRACE(edge);
+    Case spheres("near-spheres", 48, edge);
+    const CureResult cured = spheres.run(0, 0);
+    EXPECT_GT(cured.before.pinched, 0U);
+    EXPECT_GT(cured.flipped, 0U);
+    EXPECT_EQ(cured.after.pinched, 0U);
+    EXPECT_EQ(cured.after.differing, 0U);
+    EXPECT_EQ(mesh_facts(spheres.mesh).nonmanifold_edges, 0U);
+  }
+}
+
 TEST(ParticlesCure, SaysWhereTheMeshDiffersIfItMayNotAddParticles) {
   Case sheets("thin-sheets", 96, 4.0);
   const std::size_t count = sheets.all.size();
