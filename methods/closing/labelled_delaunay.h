@@ -29,7 +29,8 @@ class LabelledDelaunay {
     Eigen::Vector3d outside;
   };
 
-  /// `points` are distinct, in the lattice frame, mm. A circumcentre outside the volume counts as outside the object.
+  /// `points` are in the lattice frame, mm, and distinct (of two that are not, triangles() has one; the functions below
+  /// that take points may not be called). A circumcentre outside the volume counts as outside the object.
   /// Keeps a reference to the surface. Throws Error if the points span no tetrahedron. The same points in the same
   /// order, added in the same steps, give the same facets. Cost: one Delaunay triangulation on one thread, about 10 µs
   /// a point, and one evaluation of f a cell on all threads.

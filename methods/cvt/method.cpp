@@ -85,6 +85,7 @@ class Mesher {
   /// The labelled Delaunay triangulation of the sites, after a cure that may add sites.
   std::vector<Triangle> close() {
     const auto stage = monitor_.stage("triangulation");
+    particles::drop_doubles(sites_);
     LabelledDelaunay delaunay(sites_.points, task_.surface, monitor_);
     particles::CureOptions options;
     options.rounds = task_.parameters.integer("cure");

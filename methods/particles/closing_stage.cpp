@@ -32,6 +32,7 @@ std::string difference_text(const std::vector<Eigen::Vector3d>& places, const Is
 
 std::vector<Triangle> close_by_labels(const MeshingTask& task, SizedSurface& sized, Particles& particles,
                                       Monitor& monitor) {
+  drop_doubles(particles);
   LabelledDelaunay delaunay(particles.points, task.surface, monitor);
   CureOptions options;
   options.relaxations = task.parameters.integer("cure_relaxations");

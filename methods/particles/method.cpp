@@ -21,7 +21,7 @@ Method method_particles() {
                                                       .relaxation = "newton",
                                                       .surface = "labelled-delaunay",
                                                       .cure = 20.0,
-                                                      .cure_relaxations = 8.0,
+                                                      .cure_relaxations = 16.0,
                                                       .gradation = 0.3,
                                                       .critical_floor = 0.02,
                                                       .finish = 3.0});

@@ -79,6 +79,20 @@ TEST(ParticlesRelaxation, LowersTheEnergyOfAUniformPacking) {
   EXPECT_NEAR(energy.back(), particles::ideal_energy, 0.04 * particles::ideal_energy);
 }
 
+TEST(ParticlesRelaxation, DropsParticlesThatLieWhereAnotherLies) {
+  const Isosurface surface = surface_of("sphere", 20);
+  const SizingField field(2.0 * surface.voxel());
+  const SizedSurface sized(surface, field);
+  const Eigen::Vector3d middle = 0.5 * surface.extent();
+  const Eigen::Vector3d a = middle + Eigen::Vector3d(1.0, 0.0, 0.0);
+  const Eigen::Vector3d b = middle + Eigen::Vector3d(0.0, 1.0, 0.0);
+  const Eigen::Vector3d c = middle + Eigen::Vector3d(0.0, 0.0, 1.0);
+  Particles all = particles::make_particles(sized, {b, a, b, c, a, b});
+  drop_doubles(all);
+  EXPECT_EQ(all.points, (std::vector<Eigen::Vector3d>{b, a, c}));
+  EXPECT_EQ(all.spacing.size(), 3U);
+}
+
 TEST(ParticlesPopulation, FillsHolesAndThinsCrowds) {
   const Isosurface surface = surface_of("sphere", 40);
   Monitor monitor;

@@ -60,6 +60,7 @@ class Curing {
          const CureOptions& options)
       : sized_(sized),
         options_(options),
+        converges_(sized.surface().kernel() != Kernel::catmull_rom),
         topology_(topology),
         particles_(particles),
         delaunay_(delaunay),
@@ -96,8 +97,9 @@ class Curing {
 
  private:
   void remove_defects(Findings& found, Monitor& monitor) {
-    while (found.defects.all() > 0 && result_.relaxations < options_.relaxations && !is_endless(found)) {
-      monitor.progress(static_cast<double>(result_.relaxations) / options_.relaxations);
+    const int relaxations = converges_ ? options_.relaxations : options_.relaxations / 2;
+    while (found.defects.all() > 0 && result_.relaxations < relaxations && !is_endless(found)) {
+      monitor.progress(static_cast<double>(result_.relaxations) / relaxations);
       add_particles(found);
       if (relaxation_centres_.empty()) break;
       relax(monitor);
@@ -105,8 +107,12 @@ class Curing {
     }
     for (int round = 0; round < options_.rounds && found.defects.all() > 0 && !is_endless(found); ++round) {
       monitor.check();
-      if (add_particles(found) == 0) break;
+      const std::size_t defects = found.defects.all();
+      const std::size_t added = add_particles(found);
       ++result_.rounds;
+      if (added == 0 && !converges_) break;
+      if (added <= defects / 8 && converges_) closer_ *= 0.5;
+      if (added == 0) continue;
       found = find_defects();
     }
     cut_pinches(found);
@@ -119,26 +125,25 @@ class Curing {
     std::size_t boxes = 0;
     topology_.boxes->for_each([&boxes](const SurfaceBox&) { ++boxes; });
     const std::size_t usual = options_.usual_particles > 0 ? options_.usual_particles : particles_.size();
-    most_particles_ = few + 2 * usual + 8 * boxes;
+    most_particles_ = few + 2 * usual + (converges_ ? 8 : 1) * boxes;
     most_defects_ = few + 2 * found.defects.all();
   }
 
-  // Whether adding more is in vain. With derivatives that are not those of the values (Kernel::catmull_rom), defects
-  // may remain at any density, and their number would grow from round to round. Where particles were far too few, it
-  // grows as well, but not that of defects per particle.
+  // Whether adding more is in vain.
   bool is_endless(const Findings& found) const {
-    constexpr int patience = 2;  // checks
+    const int patience = converges_ ? 8 : 2;  // checks
     return particles_.size() > most_particles_ ||
            (found.defects.all() > most_defects_ && checks_without_progress_ >= patience);
   }
 
+  // Where particles were far too few, the number of defects per particle grows for some checks, until the particles
+  // show the whole surface; then it falls. Without an end to come, only the least number ever counts.
   void note_progress(const Findings& found) {
     const double per_particle =
         static_cast<double>(found.defects.all()) / static_cast<double>(std::max<std::size_t>(particles_.size(), 1));
     ++checks_without_progress_;
-    if (per_particle >= least_per_particle_) return;
-    least_per_particle_ = per_particle;
-    checks_without_progress_ = 0;
+    if (per_particle < per_particle_) checks_without_progress_ = 0;
+    if (per_particle < per_particle_ || converges_) per_particle_ = per_particle;
   }
 
   // Compares the mesh with F = c, and returns the small places of each component that differs.
@@ -191,7 +196,9 @@ class Curing {
   // Changes the label of the nearest cell at each pinch that adding particles has not removed. Two pinches often share
   // that cell, and its label ends as it was; the particles of the next comparison, or cut_last_pinches(), mend those.
   void cut_pinches(Findings& found) {
-    for (int cut = 0; cut < most_cuts && !found.pinched.empty(); ++cut) {
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    for (int cut = 0; cut < most_cuts && !found.pinched.empty() && found.pinched.size() < before; ++cut) {
+      before = found.pinched.size();
       std::size_t flipped = 0;
       for (const std::uint32_t point : found.pinched) flipped += delaunay_.flip_label_at(point) ? 1 : 0;
       result_.flipped += flipped;
@@ -232,17 +239,19 @@ class Curing {
     result_.differs_near = differed_near;
   }
 
-  // The nearest cell whose other label leaves fewer pinches among its corners; nothing if there is none, or if the
-  // cut at another pinch has mended this one.
+  // The nearest cell whose other label leaves fewer pinches among its corners; nothing if none of the nearest does, or
+  // if the cut at another pinch has mended this one.
   std::optional<Cut> best_cut(std::uint32_t point) {
     if (count_pinches(std::array{point}) == 0) return {};
-    for (std::size_t rank = 0;; ++rank) {
+    constexpr std::size_t most_cells = 16;
+    for (std::size_t rank = 0; rank < most_cells; ++rank) {
       const auto corners = delaunay_.flip_label_at(point, rank);
-      if (!corners) return {};
+      if (!corners) break;
       const std::size_t after = count_pinches(*corners);
       delaunay_.flip_label_at(point, rank);
       if (after < count_pinches(*corners)) return Cut{point, rank};
     }
+    return {};
   }
 
   // How many of these points, ascending, are pinched.
@@ -308,7 +317,7 @@ class Curing {
   // Queues x unless a particle is already there; another facet or a later round may propose it again. The search for
   // the nearest particle starts at particle `near`.
   void propose(const Eigen::Vector3d& x, std::uint32_t near) {
-    if (!is_near(x, delaunay_.nearest(x, near), least_gap_to_all)) proposed_.push_back(x);
+    if (!is_near(x, delaunay_.nearest(x, near), closer_ * least_gap_to_all)) proposed_.push_back(x);
   }
 
   // Adds particles for all findings and returns how many. The centres of the next relaxation are the new particles and
@@ -396,8 +405,9 @@ class Curing {
   // Proposes the points where a facet's dual edge crosses the surface.
   void propose_crossings(const Facet& facet) {
     for (const Eigen::Vector3d& x : crossing_points(facet, sized_.surface())) {
-      const bool is_near_corner = std::any_of(facet.corners.begin(), facet.corners.end(),
-                                              [&](std::uint32_t corner) { return is_near(x, corner, least_gap); });
+      const bool is_near_corner = std::any_of(facet.corners.begin(), facet.corners.end(), [&](std::uint32_t corner) {
+        return is_near(x, corner, closer_ * least_gap);
+      });
       if (!is_near_corner) propose(x, facet.corners[0]);
     }
   }
@@ -419,14 +429,14 @@ class Curing {
       const double angle = 2.0 * M_PI * corner / corners;
       const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
       const auto foot = sized_.surface().project(particles_.points[n] + 0.5 * particles_.spacing[n] * out);
-      if (foot && !is_near(*foot, n, least_gap)) propose(*foot, n);
+      if (foot && !is_near(*foot, n, closer_ * least_gap)) propose(*foot, n);
     }
   }
 
   // The proposed points, without those within least_gap times the spacing of one already kept.
   std::vector<Eigen::Vector3d> thinned_proposals() const {
     std::vector<double> reach(proposed_.size());
-    for (std::size_t n = 0; n < proposed_.size(); ++n) reach[n] = least_gap * sized_.spacing(proposed_[n]);
+    for (std::size_t n = 0; n < proposed_.size(); ++n) reach[n] = closer_ * least_gap * sized_.spacing(proposed_[n]);
     const NeighbourLists near = find_neighbours(proposed_, reach);
     std::vector<char> kept(proposed_.size(), 0);
     std::vector<Eigen::Vector3d> result;
@@ -440,6 +450,9 @@ class Curing {
 
   SizedSurface& sized_;
   const CureOptions options_;
+  // Adding particles helps in the end, unless derivatives are not those of the values: then defects may remain at any
+  // density, and their number would grow from round to round.
+  const bool converges_;
   const CertifiedTopology& topology_;
   Particles& particles_;
   LabelledDelaunay& delaunay_;
@@ -451,9 +464,10 @@ class Curing {
   std::vector<std::vector<Eigen::Vector3d>> lost_;  // points on each lost component
   std::vector<Eigen::Vector3d> proposed_;
   std::vector<Eigen::Vector3d> relaxation_centres_;
+  double closer_ = 1.0;  // factor on the gaps that new particles keep; they may be closer where too few had room
   std::size_t most_particles_ = 0;
   std::size_t most_defects_ = 0;
-  double least_per_particle_ = std::numeric_limits<double>::infinity();  // defects
+  double per_particle_ = std::numeric_limits<double>::infinity();  // defects, in the check before or least
   int checks_without_progress_ = 0;
   CureResult result_;
 };

@@ -51,15 +51,17 @@ struct CureResult {
 /// that of the surface; `particles` and `delaunay` hold the same points before and after.
 ///
 /// The relaxations come first. Each adds particles, makes h smaller there and at defects where no particle has room,
-/// and relaxes the surroundings (local_relaxation.h); about half of the defects remain after each. If defects remain
-/// after the last relaxation, rounds that only add particles follow. Pinches that still remain are cut by changing the
-/// label of a cell.
+/// and relaxes the surroundings (local_relaxation.h); about half of the defects remain after each, once there are
+/// enough particles to show the surface at all. If defects remain after the last relaxation, rounds that only add
+/// particles follow; these may be ever closer to others if too few have room. Pinches that still remain are cut by
+/// changing the label of a cell.
 ///
 /// At the end, the triangulation is compared with F = c component by component. If one differs, it gets particles at
 /// its smallest places (the deepest boxes of the proof), and the cure begins again, at most three times.
 ///
 /// The cure gives up once there are several particles for each box of the proof, or far more defects than before
-/// whose number per particle does not fall.
+/// whose number per particle does not fall. With Kernel::catmull_rom, whose derivatives are not those of its values,
+/// it gives up sooner, does half of the relaxations, and keeps new particles apart.
 ///
 /// The result does not depend on the number of threads. Cost: 1 µs a facet on all threads, and about 80 µs on one
 /// thread for each relaxed particle.

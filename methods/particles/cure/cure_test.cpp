@@ -200,5 +200,23 @@ TEST(ParticlesCure, DoesNotGiveUpWhereParticlesAreFarTooFew) {
   EXPECT_GT(intricate.all.size(), 10 * count);
 }
 
+// Without relaxations, h stays as large as it is, and particles have to come ever closer to each other.
+TEST(ParticlesCure, PutsParticlesCloserWhereTooFewHaveRoom) {
+  Case intricate(white_noise(12), Kernel::bspline, 8.0);
+  const CureResult cured = intricate.run(20, 0);
+  EXPECT_EQ(cured.after.pinched, 0U);
+  EXPECT_EQ(cured.after.isolated, 0U);
+  EXPECT_EQ(cured.after.differing, 0U);
+}
+
+// In a relaxation that crosses thin sheets, particles lose the surface.
+TEST(ParticlesCure, RelaxesParticlesThatStayOnTheSurface) {
+  const Case intricate(white_noise(18), Kernel::bspline, 8.0);
+  for (std::size_t n = 0; n < intricate.all.size(); ++n) {
+    const Jet jet = intricate.surface.value_gradient(intricate.all.points[n]);
+    EXPECT_LT(std::abs(jet.value) / jet.gradient.norm(), 1e-6 * intricate.surface.voxel());
+  }
+}
+
 }  // namespace
 }  // namespace isobench

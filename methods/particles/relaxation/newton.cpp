@@ -108,6 +108,7 @@ class NewtonRelaxation {
 
 void relax_by_newton(const SizedSurface& sized, Particles& particles, int sweeps, Monitor& monitor,
                      const std::vector<char>& fixed) {
+  const std::vector<Eigen::Vector3d> start = particles.points;
   NewtonRelaxation relaxation(sized, particles, fixed);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     monitor.progress(static_cast<double>(sweep) / static_cast<double>(sweeps));
@@ -117,7 +118,10 @@ void relax_by_newton(const SizedSurface& sized, Particles& particles, int sweeps
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
       if (!fixed.empty() && fixed[n] != 0) continue;
       const auto foot = sized.surface().project(particles.points[n]);
-      if (foot) particles.points[n] = *foot;
+      particles.points[n] = foot.value_or(start[n]);
+      if (foot) continue;
+      particles.normals[n] = outward_normal(sized.surface().value_gradient(start[n]).gradient);
+      particles.spacing[n] = sized.spacing(start[n]);
     }
   });
 }

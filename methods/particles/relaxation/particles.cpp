@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "isobench/methods/particles/relaxation/pair_forces.h"
 #include "isobench/methods/particles/relaxation/potential.h"
@@ -40,6 +41,20 @@ Particles make_particles(const SizedSurface& sized, std::vector<Eigen::Vector3d>
     }
   });
   return particles;
+}
+
+void drop_doubles(Particles& particles) {
+  const auto comes_before = [&](std::size_t a, std::size_t b) {
+    const Eigen::Vector3d& x = particles.points[a];
+    const Eigen::Vector3d& y = particles.points[b];
+    return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
+  };
+  std::vector<std::size_t> order(particles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), comes_before);
+  std::vector<char> is_double(particles.size(), 0);
+  for (std::size_t n = 1; n < order.size(); ++n) is_double[order[n]] = comes_before(order[n - 1], order[n]) ? 0 : 1;
+  particles.erase(is_double);
 }
 
 NeighbourLists acting_neighbours(const Particles& particles, double extra) {

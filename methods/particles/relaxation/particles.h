@@ -42,6 +42,10 @@ struct Particles {
 /// Particles at points on F = c.
 Particles make_particles(const SizedSurface& sized, std::vector<Eigen::Vector3d> points);
 
+/// Removes the particles that lie where one before them lies, because a triangulation has one point at one place.
+/// Projections may end at the same point where derivatives are not those of the values (Kernel::catmull_rom).
+void drop_doubles(Particles& particles);
+
 /// Neighbours within the potential's reach, √3 times the spacing, enlarged by the share `extra`.
 NeighbourLists acting_neighbours(const Particles& particles, double extra = 0.0);
 
