@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -14,6 +15,8 @@
 #include "isobench/foundation/testing/test_folder.h"
 #include "isobench/methods/lattice/marching_cubes.h"
 #include "isobench/methods/mesh/mesh_facts.h"
+#include "isobench/methods/mesh_files/mesh_files.h"
+#include "isobench/methods/mesh_files/mesh_notes.h"
 
 namespace isobench {
 namespace {
@@ -256,6 +259,93 @@ TEST_F(Inputs, CompressedDataBeginWhereTheHeaderSays) {
   expect_ball("v.nhdr", nrrd("float", "encoding: gzip\nbyte skip: -1\ndata file: v.nii.gz\n", ""), at_zero, ball);
   expect_ball("w.nhdr", nrrd("float", "encoding: gzip\nbyte skip: 352\ndata file: v.nii.gz\n", ""), at_zero, ball);
   expect_refusal("x.nhdr", nrrd("float", "encoding: gzip\ndata file: v.nii.gz\n", ""), at_zero, "352 bytes longer");
+}
+
+// A VTK image with these data arrays at its points and its cells, as text.
+std::string vtk_image(const Ball& ball, const std::string& at_points, const std::string& at_cells) {
+  const int more = at_cells.empty() ? 0 : 1;  // points than voxels
+  const std::string extent = fmt::format("5 {} 0 {} 0 {}", 32 + more, 25 + more, 23 + more);
+  const Eigen::Vector3d steps = ball.steps.diagonal();
+  const Eigen::Vector3d origin = ball.first - 0.5 * more * steps - 5.0 * steps[0] * Eigen::Vector3d::UnitX();
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+      "<ImageData WholeExtent=\"{0}\" Origin=\"{1} {2} {3}\" Spacing=\"{4} {5} {6}\">\n<Piece Extent=\"{0}\">\n"
+      "<PointData>{7}</PointData>\n<CellData>{8}</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n",
+      extent, origin[0], origin[1], origin[2], steps[0], steps[1], steps[2], at_points, at_cells);
+}
+
+std::string vtk_array(const Ball& ball, const std::string& name, int components,
+                      const std::function<double(double)>& value) {
+  std::string numbers;
+  for (int k = 0; k < Ball::size[2]; ++k) {
+    for (int j = 0; j < Ball::size[1]; ++j) {
+      for (int i = 0; i < Ball::size[0]; ++i) {
+        for (int n = 0; n < components; ++n) numbers += fmt::format("{:.5g} ", value(ball.depth(i, j, k)));
+      }
+    }
+  }
+  return fmt::format(
+      "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">{}</DataArray>", name,
+      components, numbers);
+}
+
+TEST_F(Inputs, VtkImagesHaveArraysByNameAndVoxelsAsCells) {
+  Ball ball;
+  ball.steps(2, 2) = 1.2;
+  ball.first = {3.0, 4.0, 5.0};
+  const std::string ct = vtk_array(ball, "ct", 1, [](double depth) { return depth; });
+  const std::string labels = vtk_array(ball, "labels", 1, [](double depth) { return depth > 0.0 ? 7.0 : 0.0; });
+  const std::string gradient = vtk_array(ball, "gradient", 3, [](double) { return 1.0; });
+  expect_ball("points.vti", vtk_image(ball, ct, ""), at_zero, ball);
+  expect_ball("cells.vti", vtk_image(ball, "", ct), at_zero, ball);
+  expect_ball("vector-first.vti", vtk_image(ball, gradient + ct, ""), at_zero, ball);
+  expect_note("'ct' (at points) is taken");
+  expect_refusal("two.vti", vtk_image(ball, labels + ct, ""), at_zero, "choose one with --array");
+  expect_ball("two.vti", vtk_image(ball, labels + ct, ""), {.isovalue = 0.0, .part = {.array = "ct"}}, ball);
+  expect_ball("two.vti", vtk_image(ball, labels + ct, ""), {.isovalue = 3.5, .part = {.array = "labels"}}, ball);
+  expect_refusal("two.vti", vtk_image(ball, labels + ct, ""), {.isovalue = 0.0, .part = {.array = "mr"}}, "'mr'");
+}
+
+// Ten voxels of a bar are inside the volume's border, and half a voxel more at each end.
+TEST_F(Inputs, ObjectsThatLeaveTheVolumeAreClosedOutside) {
+  std::string data;
+  for (int k = 0; k < 10; ++k) {
+    for (int j = 0; j < 24; ++j) {
+      for (int i = 0; i < 24; ++i)
+        data += static_cast<char>(std::clamp(100 + 40 * (8 - std::hypot(i - 11.5, j - 11.5)), 0.0, 120.0));
+    }
+  }
+  folder_.write("bar.nrrd",
+                "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 24 24 10\nspacings: 1 1 5\nencoding: raw\n\n" + data);
+  const TriangleMesh mesh = mesh_of_file("bar.nrrd", {.isovalue = 100.0});
+  const auto [low, high] = std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                               [](const auto& a, const auto& b) { return a[2] < b[2]; });
+  EXPECT_GE((*high)[2] - (*low)[2], 45.0);
+  EXPECT_LE((*high)[2] - (*low)[2], 50.0);
+  EXPECT_EQ(mesh_facts(mesh).euler, 2);
+  expect_note("closed, outside");
+  folder_.write("full.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 24 24 10\nencoding: raw\n\n" +
+                                 std::string(std::size_t{24} * 24 * 10, '\x01'));
+  EXPECT_NEAR(mesh_facts(mesh_of_file("full.nrrd", {.isovalue = 0.5})).volume, 24.0 * 24.0 * 10.0, 150.0);
+}
+
+TEST_F(Inputs, PlacesFarAwayKeepTheirShape) {
+  for (const double far : {1e4, 1e5, 1e6, 1e7}) {
+    Ball ball;
+    ball.steps *= 0.5;
+    ball.radius = 4.5;
+    ball.first = {far, -far, far};
+    const std::string fields = fmt::format(
+        "encoding: raw\nspace: left-posterior-superior\nspace directions: (.5,0,0) (0,.5,0) (0,0,.5)\n"
+        "space origin: ({0},-{0},{0})\n",
+        far);
+    expect_ball("far.nrrd", nrrd("float", fields, floats_of(ball)), at_zero, ball);
+    const TriangleMesh mesh = mesh_of_file("far.nrrd", at_zero);
+    write_mesh(mesh, folder_.path() / "far.ply");
+    EXPECT_EQ(read_mesh(folder_.path() / "far.ply").vertices, mesh.vertices);
+    write_mesh(mesh, folder_.path() / "far.stl");
+    EXPECT_EQ(loss_in_file(mesh, folder_.path() / "far.stl").empty(), far < 1e6) << far;
+  }
 }
 
 // Each slice counts with its thickness, also where the volume has only one: the same surface as with empty slices
