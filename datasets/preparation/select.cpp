@@ -55,10 +55,11 @@ std::vector<T> possible_labels(const std::vector<std::int64_t>& labels) {
   return possible;
 }
 
-/// Replaces the samples by the selection. Throws DataError with `nothing` and the samples' range if it is empty.
-void replace(Volume& volume, std::vector<std::uint8_t> selected, const std::string& nothing) {
+/// Replaces the samples by the selection. Throws DataError with `nothing`, the samples' range and the remedy if it is
+/// empty.
+void replace(Volume& volume, std::vector<std::uint8_t> selected, const std::string& nothing, const char* remedy) {
   if (std::find(selected.begin(), selected.end(), 1) == selected.end()) {
-    throw DataError(fmt::format("{}: the samples lie in {}; correct the step", nothing, range_text(volume)));
+    throw DataError(fmt::format("{}: the samples lie in {}; {}", nothing, range_text(volume), remedy));
   }
   volume.samples = std::move(selected);
 }
@@ -67,7 +68,7 @@ void replace(Volume& volume, std::vector<std::uint8_t> selected, const std::stri
 
 void threshold(Volume& volume, double at) {
   std::vector<std::uint8_t> selected = volume.samples.visit([&](const auto& samples) { return at_least(samples, at); });
-  replace(volume, std::move(selected), fmt::format("threshold: no sample reaches {}", at));
+  replace(volume, std::move(selected), fmt::format("threshold: no sample reaches {}", at), "choose a smaller value");
 }
 
 void select_labels(Volume& volume, const std::vector<std::int64_t>& labels) {
@@ -77,7 +78,8 @@ void select_labels(Volume& volume, const std::vector<std::int64_t>& labels) {
     return selection(samples,
                      [&](T sample) { return std::find(possible.begin(), possible.end(), sample) != possible.end(); });
   });
-  replace(volume, std::move(selected), fmt::format("labels: no sample is one of {}", fmt::join(labels, ", ")));
+  replace(volume, std::move(selected), fmt::format("labels: no sample is one of {}", fmt::join(labels, ", ")),
+          "choose labels that it has");
 }
 
 }  // namespace isobench

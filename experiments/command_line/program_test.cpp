@@ -191,6 +191,15 @@ TEST_F(ProgramVerbs, MeshSaysWhatItWillCostAndRefusesTooMuch) {
   const Outcome done = run(with(ball, {"--edge-length", "4"}));
   EXPECT_EQ(done.code, 0);
   EXPECT_NE(done.err.find("expected: about "), std::string::npos) << done.err;
+  EXPECT_EQ(done.out.find("note "), std::string::npos) << done.out;
+  for (const std::vector<std::string>& coarse :
+       {std::vector<std::string>{"--edge-length", "500"}, {"--vertices", "3"}}) {
+    const Outcome least = run(with(ball, coarse));
+    EXPECT_EQ(least.code, 0) << least.err;
+    EXPECT_NE(least.out.find(coarse[0] == "--vertices" ? "3 vertices were asked for" : "less than one edge of 500 mm"),
+              std::string::npos)
+        << least.out;
+  }
   expect(with(ball, {"--edge-length", "1e-5", "-q"}), 2, "of memory are free; ask for longer edges");
   expect(with(ball, {"--edge-length", "4", "--max-vertices", "50", "-q"}), 2, "more than --max-vertices 50; ");
   expect(with(ball, {"--epsilon", "0.5", "--delta", "0.3", "--max-vertices", "20", "-q"}), 2, "more than --max-vert");

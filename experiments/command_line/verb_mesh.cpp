@@ -9,6 +9,7 @@
 #include "isobench/methods/mesh_files/mesh_files.h"
 #include "isobench/methods/mesh_files/mesh_notes.h"
 #include "isobench/methods/method.h"
+#include "isobench/methods/sizing/coarse_request.h"
 #include "isobench/metrics/topology/topology.h"
 #include "isobench/reports/tables/summary.h"
 
@@ -98,6 +99,7 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
                         .announce = [&](const std::string& expected) { console.line("expected: " + expected); }};
     const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record, bounds), placed);
     console.clear();
+    if (const std::string coarse = coarse_request(request.sizing, mesh); !coarse.empty()) monitor.note(coarse);
     if (!arguments.output.empty()) {
       write_mesh(mesh, arguments.output);
       if (const std::string loss = loss_in_file(mesh, arguments.output); !loss.empty()) monitor.note(loss);
