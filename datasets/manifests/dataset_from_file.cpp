@@ -74,7 +74,8 @@ Mask measure_mask(const Volume& volume) {
   return mask;
 }
 
-void note_smoothing(const Mask& before, const Dataset& dataset, Monitor& monitor) {
+/// `smooth_voxels` is the standard deviation of the smoothing.
+void note_smoothing(const Mask& before, const Dataset& dataset, double smooth_voxels, Monitor& monitor) {
   const CertifiedTopology& topology = *dataset.topology;
   const std::vector<double> volumes = component_volumes(*dataset.surface, topology);
   double volume = 0.0;
@@ -84,12 +85,15 @@ void note_smoothing(const Mask& before, const Dataset& dataset, Monitor& monitor
     volume += volumes[n];
     islands += volumes[n] > 0.0 ? 1 : 0;
   }
+  constexpr double much = 0.05;  // of the labels' volume
+  const double share = volume / before.volume - 1.0;
+  const bool loses_more = (share < -much || islands < before.islands) && smooth_voxels > 0.0;
   monitor.note(
       fmt::format("the labels have {} voxels, {:.6g} mm³ in {} island{}; after smoothing, the surface encloses {:.6g} "
-                  "mm³ ({:+.2f} %) "
-                  "in {} island{}",
-                  before.voxels, before.volume, before.islands, before.islands == 1 ? "" : "s", volume,
-                  100.0 * (volume / before.volume - 1.0), islands, islands == 1 ? "" : "s"));
+                  "mm³ ({:+.2f} %) in {} island{}{}",
+                  before.voxels, before.volume, before.islands, before.islands == 1 ? "" : "s", volume, 100.0 * share,
+                  islands, islands == 1 ? "" : "s",
+                  loses_more ? fmt::format("; a --smooth below {:.3g} voxels keeps more", smooth_voxels) : ""));
 }
 
 /// Carries out the steps; those that change nothing are not named in the record.
@@ -138,7 +142,7 @@ Dataset dataset_from_file(const std::filesystem::path& path, const FileSurface& 
       dataset.surface = std::make_unique<Isosurface>(std::move(volume), isovalue, asked.inside, asked.kernel);
     }
     settle_surface(dataset, asked.choices, monitor);
-    if (mask) note_smoothing(*mask, dataset, monitor);
+    if (mask) note_smoothing(*mask, dataset, asked.smooth_voxels.value_or(label_smoothing), monitor);
   } catch (const DataError& error) {
     throw DataError(fmt::format("{}: {}", path.string(), error.what()));
   }

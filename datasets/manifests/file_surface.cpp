@@ -107,7 +107,7 @@ std::vector<PrepareStep> steps_of(const FileSurface& asked, const Lattice& latti
     // Between two nodes the interpolated distance may be 0 up to rounding. Such a node is not inside.
     steps.emplace_back(Threshold{1e-6});
   }
-  smooth_by(asked.smooth_voxels.value_or(1.0), steps);
+  smooth_by(asked.smooth_voxels.value_or(label_smoothing), steps);
   return steps;
 }
 

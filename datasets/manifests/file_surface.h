@@ -20,6 +20,9 @@ namespace isobench {
 /// What to do with an object that reaches the volume's border.
 enum class Border { close, refuse };
 
+/// Voxels: sigma of the Gaussian for labels without another.
+inline constexpr double label_smoothing = 1.0;
+
 /// Which surface of a volume file is asked for.
 struct FileSurface {
   std::optional<double> isovalue = {};  ///< needed, unless there are labels
@@ -27,7 +30,7 @@ struct FileSurface {
   /// The object is where samples have one of these labels; empty: the isovalue says where it is.
   std::vector<std::int64_t> labels = {};
   std::optional<Eigen::Vector3d> resample = {};  ///< mm, the spacing to interpolate at
-  std::optional<double> smooth_voxels = {};      ///< sigma of a Gaussian; without it 0, and 1 for labels
+  std::optional<double> smooth_voxels = {};      ///< sigma of a Gaussian; without it 0, or label_smoothing
   Kernel kernel = Kernel::bspline;
   Border border = Border::close;
   SurfaceChoices choices = {};

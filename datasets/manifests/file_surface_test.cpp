@@ -79,6 +79,10 @@ TEST(FileSurfaceLabels, AreSelectedExactlyAndSaidInNumbers) {
   Monitor monitor;
   const Dataset both = dataset_from_file(path, {.labels = {first_region, second_region}}, monitor);
   EXPECT_EQ(both.topology->kept_components(), 2U);
+  EXPECT_NE(all_notes(monitor).find("a --smooth below 1 voxels keeps more"), std::string::npos) << all_notes(monitor);
+  Monitor unsmoothed;
+  dataset_from_file(path, {.labels = {second_region}, .smooth_voxels = 0.0}, unsmoothed);
+  EXPECT_EQ(all_notes(unsmoothed).find("keeps more"), std::string::npos) << all_notes(unsmoothed);
   EXPECT_THROW(dataset_from_file(path, {.labels = {7}}, monitor), DataError);
 }
 
