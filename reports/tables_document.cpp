@@ -23,6 +23,7 @@ std::string provenance(const Results& results) {
     const Environment& here = record.environment;
     codes.insert(fmt::format("isobench {} at {}{}, {} {}", here.version, here.commit.substr(0, 12),
                              here.dirty ? " with local changes" : "", here.compiler, here.build_type));
+    if (record.threads == 0) continue;  // it was stopped before it could say how it ran
     const auto [place, fresh] = machines.try_emplace(timing_of(record), here.load, here.load);
     place->second = {std::min(place->second.first, here.load), std::max(place->second.second, here.load)};
   }

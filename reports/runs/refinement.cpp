@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "isobench/reports/record/figure_values.h"
-#include "isobench/reports/runs/run_grid.h"
 
 namespace isobench {
 
@@ -77,6 +76,23 @@ std::vector<Refinement> refinements(const Results& results) {
                      [](const Runs& a, const Runs& b) { return number_of_vertices(a) < number_of_vertices(b); });
   }
   return all;
+}
+
+RunGrid finest_runs(const RunGrid& runs) {
+  RunGrid finest = runs;
+  finest.variants.clear();
+  for (const Variant& variant : runs.variants) {
+    for (const auto& [dataset, here] : variant.runs) {
+      const std::string& label = here.front()->request.label;
+      auto of_label = std::find_if(finest.variants.begin(), finest.variants.end(),
+                                   [&label](const Variant& known) { return known.name == label; });
+      if (of_label == finest.variants.end())
+        of_label = finest.variants.insert(of_label, Variant{label, variant.method, {}});
+      Runs& kept = of_label->runs[dataset];
+      if (kept.empty() || number_of_vertices(here) > number_of_vertices(kept)) kept = here;
+    }
+  }
+  return finest;
 }
 
 double mean_edge_length(const RunRecord& run) {

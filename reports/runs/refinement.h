@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "isobench/reports/runs/results.h"
+#include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/runs/spread.h"
 
 namespace isobench {
@@ -20,6 +21,10 @@ struct Refinement {
 
 /// All runs except those that are aside (RunRequest::aside), in the order of the plan. Points into `results`.
 std::vector<Refinement> refinements(const Results& results);
+
+/// The same runs, but of each label only those at its finest sizing on each data set: one variant a label, and so one
+/// mesh of each method to compare.
+RunGrid finest_runs(const RunGrid& runs);
 
 /// The mean edge length h of a mesh if its triangles were equilateral, mm: h² = (4/√3) × mean area of a triangle. NaN
 /// where there is no mesh.

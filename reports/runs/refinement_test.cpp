@@ -47,6 +47,22 @@ TEST(Refinement, LevelsAreSortedByTheirMeshesAndHoldAllSeeds) {
   EXPECT_EQ(all[1].dataset, "torus");
 }
 
+TEST(Refinement, OnlyTheFinestRunsOfEachLabelCompete) {
+  Results results;
+  results.records = {sample_level("sphere", "ours", 4000, 1, 2),   sample_level("sphere", "ours", 1000, 1, 2),
+                     sample_level("sphere", "ours", 4000, 1, 2),   sample_level("torus", "ours", 1000, 1, 2),
+                     sample_level("sphere", "theirs", 1000, 1, 2), sample_level("sphere", "theirs", 4000, 1, 2)};
+  results.records[2].request.seed = 2;
+  const RunGrid finest = finest_runs(arrange_runs(results));
+  ASSERT_EQ(finest.variants.size(), 2U);
+  const Variant& ours = finest.variants.front();
+  EXPECT_EQ(ours.name, "ours");
+  EXPECT_EQ(find_runs(ours, "sphere"), (Runs{results.records.data(), &results.records[2]}));
+  EXPECT_EQ(find_runs(ours, "torus"), Runs{&results.records[3]});
+  EXPECT_EQ(find_runs(finest.variants.back(), "sphere"), Runs{&results.records[5]});
+  EXPECT_TRUE(find_runs(finest.variants.back(), "torus").empty());
+}
+
 TEST(Refinement, WithoutThreeDifferentMeshesThereIsNoOrder) {
   std::vector<RunRecord> records = sample_levels("sphere", "ours", 0.3, 2.0);
   EXPECT_EQ(order_of({records[0], records[1]}, "poisson_l2").untested, "fewer than 3 sizings");

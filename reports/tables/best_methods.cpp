@@ -8,6 +8,7 @@
 
 #include "isobench/reports/record/figure_values.h"
 #include "isobench/reports/runs/checks.h"
+#include "isobench/reports/runs/refinement.h"
 #include "isobench/reports/runs/timing.h"
 #include "isobench/reports/survey/side_by_side.h"
 #include "isobench/reports/tables/table_parts.h"
@@ -106,7 +107,8 @@ Best best(const Question& question, const RunGrid& runs, const std::string& data
   return best;
 }
 
-Table best_table(const RunGrid& runs) {
+Table best_table(const RunGrid& all_runs) {
+  const RunGrid runs = finest_runs(all_runs);
   Table table;
   table.title = "The best method for each criterion and data set";
   table.header = {"Criterion"};
@@ -122,6 +124,8 @@ Table best_table(const RunGrid& runs) {
     }
     if (any) table.rows.push_back(std::move(row));
   }
+  if (runs.variants.size() < all_runs.variants.size())
+    table.remarks.emplace_back("Of a method with several sizings, the finest mesh on each data set counts.");
   say_how_timed(runs, table);
   return table;
 }
@@ -190,15 +194,16 @@ Table methods_table(const RunGrid& runs) {
 }
 
 std::vector<std::string> best_sentences(const RunGrid& runs) {
+  const RunGrid finest = finest_runs(runs);
   std::vector<std::string> sentences;
-  for (const Wins& won : wins_of_all(runs)) {
+  for (const Wins& won : wins_of_all(finest)) {
     const std::string& name = won.question->name;
     if (won.asked > 1 && won.by_method.size() == 1 && won.by_method.begin()->second == won.asked) {
       sentences.push_back(fmt::format("{}: {} on all {} data sets.", name, won.by_method.begin()->first, won.asked));
       continue;
     }
     std::string text;
-    for (const Variant& variant : runs.variants) {
+    for (const Variant& variant : finest.variants) {
       const auto count = won.by_method.find(variant.name);
       if (count == won.by_method.end()) continue;
       text += fmt::format("{}{} on {}", text.empty() ? "" : ", ", variant.name, count->second);
@@ -209,8 +214,9 @@ std::vector<std::string> best_sentences(const RunGrid& runs) {
 }
 
 std::string best_line(const RunGrid& runs) {
+  const RunGrid finest = finest_runs(runs);
   std::map<std::string, std::vector<std::string>> best_at;
-  for (const Wins& won : wins_of_all(runs)) {
+  for (const Wins& won : wins_of_all(finest)) {
     const int most = std::max_element(won.by_method.begin(), won.by_method.end(), [](const auto& a, const auto& b) {
                        return a.second < b.second;
                      })->second;
@@ -223,7 +229,7 @@ std::string best_line(const RunGrid& runs) {
     }
   }
   std::vector<std::string> parts;
-  for (const Variant& variant : runs.variants) {
+  for (const Variant& variant : finest.variants) {
     const auto found = best_at.find(variant.name);
     if (found != best_at.end()) parts.push_back(fmt::format("{}: {}", variant.name, fmt::join(found->second, ", ")));
   }

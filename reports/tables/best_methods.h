@@ -30,7 +30,8 @@ struct Best {
 };
 Best best(const Question& question, const RunGrid& runs, const std::string& dataset);
 
-/// The best methods: one row for each criterion, one column for each dataset.
+/// The best methods: one row for each criterion, one column for each dataset. Here and below, finest_runs() compete:
+/// otherwise a method would win at a sizing that is not that of the others.
 Table best_table(const RunGrid& runs);
 
 /// One row for each method, over all data sets: sound meshes, right topology, quality and cost.
