@@ -5,6 +5,7 @@
 
 #include "isobench/reports/page/html.h"
 #include "isobench/reports/page/page.h"
+#include "isobench/reports/runs/refinement.h"
 #include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/survey/survey.h"
 #include "isobench/reports/tables/best_methods.h"
@@ -37,10 +38,9 @@ std::string single_method_line(const RunGrid& runs) {
   return fmt::format("Worst of all meshes of {}: {}.", runs.variants.front().name, fmt::join(parts, ", "));
 }
 
-const Picture* find_picture(const Exhibits& exhibits, const std::string& dataset, const std::string& method,
-                            const std::string& shot) {
+const Picture* find_picture(const Exhibits& exhibits, const RunRecord& run, const std::string& shot) {
   const auto found = std::find_if(exhibits.pictures.begin(), exhibits.pictures.end(), [&](const Picture& picture) {
-    return !picture.grid && picture.dataset == dataset && picture.title == method && picture.shot == shot;
+    return !picture.grid && picture.run == run.request.run && picture.shot == shot;
   });
   return found == exhibits.pictures.end() ? nullptr : &*found;
 }
@@ -74,9 +74,10 @@ std::string close_ups(const RunGrid& runs, const Exhibits& exhibits, const std::
   std::size_t shown = 0;
   std::size_t more = 0;
   for (const Variant& variant : runs.variants) {
-    const Picture* picture = find_picture(exhibits, dataset, variant.name, shots::closer);
     const RunRecord* run = find_run(variant, dataset);
-    if (picture == nullptr || run == nullptr || !run->measurement) continue;
+    if (run == nullptr || !run->measurement) continue;
+    const Picture* picture = find_picture(exhibits, *run, shots::closer);
+    if (picture == nullptr) continue;
     if (shown == most_close_ups) {
       ++more;
       continue;
@@ -107,7 +108,7 @@ std::string opening_html(const Results& results, const Exhibits& exhibits, const
   const RunGrid runs = arrange_runs(results);
   std::string text = lead(best_line(runs)) + lead(single_method_line(runs));
   if (has_many_datasets(runs)) text += lead(sound_sentence(runs));
-  text += close_ups(runs, exhibits, folder);
+  text += close_ups(finest_runs(runs), exhibits, folder);
   return text.empty() ? "" : "<section id=\"opening\">\n" + text + "</section>\n";
 }
 
@@ -119,7 +120,7 @@ std::string worst_html(const Results& results, const Exhibits& exhibits, const s
     const WorstCase worst = worst_case(runs, *method, criterion);
     if (worst.run == nullptr) continue;
     const std::string& dataset = worst.run->request.dataset;
-    const Picture* picture = find_picture(exhibits, dataset, method->name, shots::worst);
+    const Picture* picture = find_picture(exhibits, *worst.run, shots::worst);
     if (picture == nullptr) continue;
     figures += figure_html(*picture, "Worst triangle of " + method->name,
                            fmt::format("<b>{}</b> {}: radius ratio {}", html_escaped(method->name),

@@ -28,9 +28,10 @@ Exhibits pictures_of(const TestFolder& folder, const std::string& dataset, const
   Exhibits exhibits;
   for (const std::string& method : methods) {
     for (const char* shot : {shots::closer, shots::worst}) {
-      const std::string name = fmt::format("pictures/{}-{}-{}", dataset, method, shot);
+      const std::string run = fmt::format("{}-{}", dataset, method);
+      const std::string name = fmt::format("pictures/{}-{}", run, shot);
       folder.write(name + ".jpg", name);
-      exhibits.pictures.push_back({name + ".png", name + ".jpg", dataset, shot, false, dataset, method, "", ""});
+      exhibits.pictures.push_back({name + ".png", name + ".jpg", dataset, run, shot, false, dataset, method, "", ""});
     }
   }
   return exhibits;

@@ -148,7 +148,7 @@ TEST(Page, PutsFiguresUnderTheirNumbers) {
     for (const char* method : {"theirs", "particles"}) {
       const std::string name = std::string("pictures/") + method + shot;
       folder.write(name + ".jpg", name);
-      exhibits.pictures.push_back({name + ".png", name + ".jpg", "pelvis", shot, false, "pelvis", method, "", ""});
+      exhibits.pictures.push_back({name + ".png", name + ".jpg", "pelvis", "", shot, false, "pelvis", method, "", ""});
     }
   }
   Plot plot;

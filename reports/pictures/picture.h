@@ -24,6 +24,7 @@ struct Picture {
   std::string file;     ///< in the results folder: "pictures/….png"
   std::string preview;  ///< the same picture as JPEG, for the page
   std::string dataset;
+  std::string run;    ///< RunRequest::run
   std::string shot;   ///< one of `shots`
   bool grid = false;  ///< belongs to a grid of ε and δ
   std::string group;  ///< heading over the pictures that are compared; they have the same view

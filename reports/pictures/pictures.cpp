@@ -13,6 +13,7 @@
 #include "isobench/foundation/sha256.h"
 #include "isobench/reports/pictures/field_pictures.h"
 #include "isobench/reports/pictures/render.h"
+#include "isobench/reports/runs/refinement.h"
 #include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/survey/survey.h"
 #include "isobench/reports/tables/sizing_grid.h"
@@ -35,16 +36,41 @@ void add_run(PictureGroup& group, const RunRecord& run, const std::string& name)
   group.names.push_back(name);
 }
 
+std::size_t meshes_on(const RunGrid& runs, const std::string& dataset) {
+  return static_cast<std::size_t>(
+      std::count_if(runs.variants.begin(), runs.variants.end(), [&dataset](const Variant& variant) {
+        const RunRecord* run = find_run(variant, dataset);
+        return run != nullptr && run->status == Status::ok;
+      }));
+}
+
+// Of a method with several sizings only the finest meshes, unless all are few enough.
+RunGrid drawn_runs(const Results& results, std::vector<std::string>& left_out) {
+  RunGrid all = arrange_runs(results);
+  std::size_t meshes = 0;
+  bool too_many = false;
+  for (const std::string& dataset : all.datasets) {
+    const std::size_t here = meshes_on(all, dataset);
+    meshes += here;
+    too_many = too_many || here > most_of_a_dataset || meshes > most_meshes;
+  }
+  RunGrid finest = finest_runs(all);
+  if (!too_many || finest.variants.size() == all.variants.size()) return all;
+  left_out.push_back(fmt::format(
+      "Pictures show the finest mesh of each method on each data set; all {} meshes would be too many.", meshes));
+  return finest;
+}
+
 PictureGroup dataset_group(const RunGrid& runs, const std::string& dataset, std::size_t most,
                            std::vector<std::string>& left_out) {
   PictureGroup group;
   group.dataset = group.title = dataset;
-  std::size_t meshes = 0;
   for (const Variant& variant : runs.variants) {
     const RunRecord* run = find_run(variant, dataset);
     if (run == nullptr || run->status != Status::ok) continue;
-    if (++meshes <= std::min(most, most_of_a_dataset)) add_run(group, *run, variant.name);
+    if (group.runs.size() < std::min(most, most_of_a_dataset)) add_run(group, *run, variant.name);
   }
+  const std::size_t meshes = meshes_on(runs, dataset);
   if (meshes > group.runs.size()) {
     left_out.push_back(group.runs.empty() ? fmt::format("{}: none of {} meshes has a picture.", dataset, meshes)
                                           : fmt::format("{}: only the first {} of {} meshes have pictures.", dataset,
@@ -142,6 +168,7 @@ void list_pictures(const PictureGroup& group, const fs::path& folder, Pictures& 
       Picture picture{group.file(run, shot),
                       group.file(run, shot, "jpg"),
                       group.dataset,
+                      run.request.run,
                       shot,
                       group.grid,
                       group.title,
@@ -211,7 +238,7 @@ std::string PictureGroup::file(const RunRecord& run, const std::string& name, co
 }
 
 std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out) {
-  const RunGrid runs = arrange_runs(results);
+  const RunGrid runs = drawn_runs(results, left_out);
   std::vector<PictureGroup> groups;
   if (has_many_datasets(runs)) groups = chosen_groups(runs, left_out);
   std::size_t meshes = 0;

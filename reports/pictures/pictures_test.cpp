@@ -17,6 +17,7 @@
 #include "isobench/reports/pictures/drawing.h"
 #include "isobench/reports/pictures/test_pixels.h"
 #include "isobench/reports/record/sample_records.h"
+#include "isobench/reports/record/sample_refinement.h"
 #include "isobench/reports/runs/run_grid.h"
 #include "isobench/reports/survey/sample_survey.h"
 
@@ -95,6 +96,22 @@ TEST(Pictures, OfManyDataSetsAreThoseOfTheFirstAndOfTheWorst) {
   EXPECT_EQ(groups[1].names, std::vector<std::string>{"good"});
   ASSERT_EQ(left_out.size(), 1U);
   EXPECT_NE(left_out[0].find("of 60 data sets"), std::string::npos);
+}
+
+TEST(Pictures, OfTooManySizingsAreThoseOfTheFinestMeshes) {
+  Results results;
+  std::vector<std::string> left_out;
+  for (const char* label : {"a", "b", "c", "d", "e", "f", "g", "h", "i"}) {
+    for (const double vertices : {1000.0, 9000.0, 3000.0})
+      results.records.push_back(sample_level("sphere", label, vertices, 1, 2));
+    const std::vector<PictureGroup> groups = picture_groups(results, left_out);
+    ASSERT_EQ(groups.size(), 1U);
+    const bool all = results.records.size() <= 24;
+    EXPECT_EQ(groups[0].runs.size(), all ? results.records.size() : 9U);
+    EXPECT_EQ(left_out.empty(), all);
+    if (!all) EXPECT_EQ(groups[0].runs.front(), &results.records[1]);
+  }
+  EXPECT_EQ(left_out.size(), 1U);
 }
 
 TEST(DrawnPictures, OfARunAreThreeAndKeptWhileNothingChanges) {
