@@ -239,16 +239,17 @@ std::string PictureGroup::file(const RunRecord& run, const std::string& name, co
 
 std::vector<PictureGroup> picture_groups(const Results& results, std::vector<std::string>& left_out) {
   const RunGrid runs = drawn_runs(results, left_out);
+  const bool many = has_many_datasets(arrange_runs(results));  // as the rest of the page sees it
   std::vector<PictureGroup> groups;
-  if (has_many_datasets(runs)) groups = chosen_groups(runs, left_out);
+  if (many) groups = chosen_groups(runs, left_out);
   std::size_t meshes = 0;
   for (const PictureGroup& group : groups) meshes += group.runs.size();
-  for (const std::string& dataset : has_many_datasets(runs) ? std::vector<std::string>() : runs.datasets) {
+  for (const std::string& dataset : many ? std::vector<std::string>() : runs.datasets) {
     groups.push_back(dataset_group(runs, dataset, most_meshes - meshes, left_out));
     meshes += groups.back().runs.size();
   }
   // With many data sets the page has much else to load.
-  const std::size_t of_all = has_many_datasets(runs) ? most_triangles_of_all / 4 : most_triangles_of_all;
+  const std::size_t of_all = many ? most_triangles_of_all / 4 : most_triangles_of_all;
   const std::size_t triangles =
       std::clamp(of_all / std::max<std::size_t>(meshes, 1), std::size_t{1000}, most_triangles);
   for (const SizingGrid& grid : sizing_grids(results)) {
