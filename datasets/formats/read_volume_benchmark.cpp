@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "isobench/datasets/formats/read_volume.h"
+#include "isobench/foundation/random.h"
 #include "isobench/foundation/testing/test_files.h"
 #include "isobench/foundation/testing/test_folder.h"
 
@@ -26,14 +27,13 @@ const std::string& samples() {
   static const std::string bytes = [] {
     std::string result;
     result.reserve(std::size_t{2} * nodes * nodes * nodes);
-    std::uint32_t random = 1;
     for (int k = 0; k < nodes; ++k) {
       for (int j = 0; j < nodes; ++j) {
         for (int i = 0; i < nodes; ++i) {
-          random = 1664525U * random + 1013904223U;
+          const std::uint64_t n = result.size();
           const double depth = 200.0 - std::hypot(i - 255.5, j - 255.5, k - 255.5);
-          const auto value = static_cast<std::uint16_t>(std::clamp(1000.0 + 100.0 * depth, 0.0, 2000.0));
-          result += bytes_of_value(static_cast<std::uint16_t>(value + (random >> 28U)));
+          const double value = std::clamp(1000.0 + 100.0 * depth, 0.0, 2000.0) + 16.0 * uniform_random(1, n, 0);
+          result += bytes_of_value(static_cast<std::uint16_t>(value));
         }
       }
     }

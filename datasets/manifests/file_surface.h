@@ -20,7 +20,7 @@ namespace isobench {
 /// What to do with an object that reaches the volume's border.
 enum class Border { close, refuse };
 
-/// Voxels: sigma of the Gaussian for labels without another.
+/// Sigma of the Gaussian that smooths labels if no other is asked for, voxels.
 inline constexpr double label_smoothing = 1.0;
 
 /// Which surface of a volume file is asked for.
@@ -30,7 +30,7 @@ struct FileSurface {
   /// The object is where samples have one of these labels; empty: the isovalue says where it is.
   std::vector<std::int64_t> labels = {};
   std::optional<Eigen::Vector3d> resample = {};  ///< mm, the spacing to interpolate at
-  std::optional<double> smooth_voxels = {};      ///< sigma of a Gaussian; without it 0, or label_smoothing
+  std::optional<double> smooth_voxels = {};      ///< sigma of a Gaussian; if not given 0, of labels label_smoothing
   Kernel kernel = Kernel::bspline;
   Border border = Border::close;
   SurfaceChoices choices = {};

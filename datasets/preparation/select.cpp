@@ -79,7 +79,7 @@ void select_labels(Volume& volume, const std::vector<std::int64_t>& labels) {
                      [&](T sample) { return std::find(possible.begin(), possible.end(), sample) != possible.end(); });
   });
   replace(volume, std::move(selected), fmt::format("labels: no sample is one of {}", fmt::join(labels, ", ")),
-          "choose labels that it has");
+          "choose labels that the volume has");
 }
 
 }  // namespace isobench

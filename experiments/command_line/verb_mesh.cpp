@@ -99,7 +99,9 @@ int mesh_verb(const MeshArguments& arguments, const CommonArguments& common) {
                         .announce = [&](const std::string& expected) { console.line("expected: " + expected); }};
     const TriangleMesh mesh = to_world(mesh_and_measure(dataset, request, monitor, record, bounds), placed);
     console.clear();
-    if (const std::string coarse = coarse_request(request.sizing, mesh); !coarse.empty()) monitor.note(coarse);
+    const std::string coarse =
+        method(request.method).ignores_sizing ? std::string() : coarse_request(request.sizing, mesh);
+    if (!coarse.empty()) monitor.note(coarse);
     if (!arguments.output.empty()) {
       write_mesh(mesh, arguments.output);
       if (const std::string loss = loss_in_file(mesh, arguments.output); !loss.empty()) monitor.note(loss);
